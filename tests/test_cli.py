@@ -12,9 +12,11 @@ from pathlib import Path
 import jsonschema
 import pytest
 from ruamel.yaml import YAML
+from typer.testing import CliRunner
 
 import freebody as fb
 from command import Done, freebody
+from freebody.cli import commands
 
 Within = Callable[[int, Callable[[], object]], None]
 
@@ -158,6 +160,27 @@ def test_a_file_in_the_place_of_a_command_is_solved(tmp_path: Path) -> None:
     assert missing.returncode == 2
     assert "there is no such file" in missing.stderr
     assert "Did you mean 'solve'" in freebody("slove", "nothing.yaml", cwd=tmp_path).stderr
+
+
+@pytest.mark.parametrize(
+    ("words", "said"),
+    [
+        (["help"], "Commands:"),
+        (["help", "solve"], "Answer the questions of a model in closed form."),
+        (["-h"], "Commands:"),
+        (["solve", "-h"], "Answer the questions of a model in closed form."),
+        (["help", "slove"], "No such command 'slove'. Did you mean 'solve'?"),
+        (["sim", "a.yaml"], "Did you mean 'simulate'?"),
+        (["run", "a.yaml"], "Did you mean 'simulate'?"),
+        (["optimize"], "Did you mean 'optimise'?"),
+        (["atwood_machine"], "It is an example: 'freebody examples atwood_machine' writes it here."),
+        (["xyzzy"], "'freebody help' lists the commands."),
+    ],
+)
+def test_help_is_given_in_every_way_that_it_is_asked_for(words: list[str], said: str) -> None:
+    done = CliRunner().invoke(commands(), words)
+    assert said in done.output
+    assert done.exit_code == (2 if "'" in said else 0)
 
 
 def test_new_writes_a_model_that_solves_and_never_overwrites(tmp_path: Path) -> None:

@@ -112,7 +112,7 @@ MISTAKES = {
         "s is no named measure or rate of one. Say what it is, e.g. measures: {s: x of block}",
     ),
     "a floor beside the lines": (
-        f"ground: {{floor: y = 0}}\n{BLOCK}connections: {{c: {{contact: [block, floor]}}}}\n"
+        f"ground: {{floor: true}}\n{BLOCK}connections: {{c: {{contact: [block, floor]}}}}\n"
         "questions: [normal force of c]",
         "a line of the ground stands under lines: ground: {lines: {floor: {along: right}}}",
     ),

@@ -142,6 +142,7 @@ parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0.5 m, 0]}, lines: {floor: {along: right}, wall: {through: ground.P, along: up}}}
 bodies: {ball: {disk: {mass: m, radius: R}, at: [PLACE, 0.1 m]}, other: {particle: {mass: m}, at: [0.1 m, 1 m]}}
 connections: {c: {rolling: {body: ball, on: floor}}, d: {contact: {between: [other, wall]}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
 """
 LADDER = """
 parameters: {m: 1 kg, L: 4 m, g: 9.81 m/s^2}
@@ -165,6 +166,7 @@ parameters: {m: 1 kg, R: 0.1 m}
 ground: {points: {P: [0, 1 m]}, lines: {ceiling: {through: ground.P, along: left}}}
 bodies: {block: {disk: {mass: m, radius: R}, at: [0, 0]}}
 connections: {guide: {slider: {body: block, along: WAY}}, top: {contact: {between: [block, ceiling]}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
 """
 CRANK = """
 parameters: {r: 0.1 m, l: 0.4 m, m: 1 kg}
@@ -562,6 +564,7 @@ def test_a_truck_that_is_led_along_x_and_carried_by_nothing_falls() -> None:
     assert not [w for w in fb.System.from_text(upright).warnings if w.kind == "led and falling"]
 
 
+<<<<<<< HEAD
 PITCHING = """
 parameters: {m: 200 kg, L: 2 m, k1: 20 kN/m, k2: 30 kN/m}
 ground: {points: {O: [0, 0], A: [-L/2, -0.5 m], B: [L/2, -0.5 m]}}
@@ -579,3 +582,68 @@ def test_what_stands_on_two_springs_may_be_meant_to_pitch_where_a_point_of_it_is
     assert "although springs pull at several points of it" in told
     assert "slot: {pin: beam.center" in told
     assert not warned(PITCHING.replace("GUIDED", "beam"))
+=======
+TRAIN = """
+bodies:
+  sun: {gear: {teeth: 24, module: 2 mm}}
+  planet: {gear: {teeth: 18, module: 2 mm, mass: 0.1 kg}}
+  ring: {gear: {teeth: 60, module: 2 mm, internal: true}, fixed: true}
+  carrier: {body: {mass: 1 kg}, near: {angle: 0}POINTS}
+connections:
+  bearing: {pin: [ground.O, sun]}
+  axis: {pin: [ground.O, carrier]}AXLE
+  m1: {gear_mesh: [sun, planet]}
+  m2: {gear_mesh: [planet, ring]}
+  drive: {driver: {measure: angle of sun, speed: 10 rad/s}}
+"""
+
+
+def test_a_planet_without_an_axle_is_told_with_the_place_of_one() -> None:
+    """The axle is r_S + r_P = 24 mm + 18 mm from the middle. With it the carrier turns with w_S z_S/(z_S + z_R)
+    (Willis), without it with nothing."""
+    ((kind, told),) = warned(TRAIN.replace("POINTS", "").replace("AXLE", ""))
+    assert kind == "axle missing"
+    axle, point = "axle: {pin: [carrier.P, planet]}", "points: {P: [0.042 m, 0]}"
+    assert axle in told
+    assert point in told
+    mended = TRAIN.replace("POINTS", f", {point}").replace("AXLE", f"\n  {axle}")
+    assert warned(mended) == []
+    (answer,) = fb.System.from_text(mended).solve("angular velocity of carrier").answers
+    assert answer.value == pytest.approx(10 * 24 / (24 + 60))
+
+
+@pytest.mark.parametrize(("way", "place"), [("right", "[0.3 m, 0]"), ("up", "[0, 0.3 m]")])
+def test_a_spring_between_points_that_coincide_is_told_where_its_guide_leaves_room(way: str, place: str) -> None:
+    text = (
+        f"bodies: {{b: {{particle: {{mass: 2 kg}}, at: PLACE}}}}\nground: {{points: {{A: [0, 0]}}}}\n"
+        f"connections: {{guide: {{slider: {{body: b, along: {way}}}}}}}\n"
+        "loads: {s: {spring: {between: [ground.A, b], stiffness: 400 N/m, length: 0.3 m}}}\n"
+    )
+    ((kind, told),) = warned(text.replace("PLACE", "[0, 0]"))
+    assert kind == "ends meet"
+    assert f"at: {place}" in told
+    assert warned(text.replace("PLACE", place)) == []
+
+
+def test_a_level_spring_does_not_carry_what_is_led_along_it() -> None:
+    text = (
+        "bodies: {b: {particle: {mass: 2 kg}}}\nground: {points: {A: [PLACE]}}\n"
+        "connections: {drive: {driver: {measure: x of b, speed: 2 m/s}}}\n"
+        "loads: {w: {gravity: 9.81 m/s^2}, s: {spring: {between: [ground.A, b], stiffness: 400 N/m}}}\n"
+    )
+    assert [kind for kind, _told in warned(text.replace("PLACE", "-1 m, 0"))] == ["led and falling"]
+    assert warned(text.replace("PLACE", "0, 1 m")) == []
+
+
+def test_a_contact_in_which_nothing_presses_is_told() -> None:
+    text = (
+        "bodies: {b: {particle: {mass: 2 kg}}}\nground: {lines: {slope: {angle: 30 deg}}}\n"
+        "connections: {c: {contact: {between: [b, slope], friction: 0.2}}}\n"
+    )
+    ((kind, told),) = warned(text)
+    assert kind == "nothing acts"
+    weight = "loads: {weight: {gravity: 9.81 m/s^2}}"
+    assert weight in told
+    assert warned(f"{text}{weight}\n") == []
+    assert warned(text.replace("2 kg}", "2 kg}, velocity: [1 m/s, 0]")) == []
+>>>>>>> hC

@@ -169,9 +169,49 @@ loads: {load: {force: {at: boom.end, along: down, magnitude: W}}}
 
 
 def test_two_places_of_a_body_in_space_are_refused_with_the_one_to_write() -> None:
-    text = "space: true\nbodies: {boom: {rod: {length: 4 m}, at: {start: [0, 0, 0], end: [4 m, 0, 0]}}}\n"
-    with pytest.raises(fb.ModelError, match=r"in space at puts one point, at: \{end: \[4 m, 0, 0\]\}; joints put"):
+    """They leave its turn about the line between them open, which only a rod does not have."""
+    text = (
+        "space: true\nbodies: {b: {box: {size: [4 m, 1 m, 1 m]}, points: {P: [2 m, 0, 0]}, "
+        "at: {center: [0, 0, 0], P: [2 m, 0, 0]}}}\n"
+    )
+    with pytest.raises(fb.ModelError, match=r"in space at puts one point, at: \{P: \[2 m, 0, 0\]\}; joints put"):
         fb.System.from_text(text)
+
+
+@pytest.mark.parametrize(
+    "rod",
+    [
+        "{rod: {mass: 6 kg, from: [0, 0, 0], to: [2 m, 3 m, -6 m]}}",
+        "{rod: {mass: 6 kg}, from: [0, 0, 0], to: [2 m, 3 m, -6 m]}",
+        "{from: [0, 0, 0], to: [2 m, 3 m, -6 m], mass: 6 kg}",
+        "{rod: {mass: 6 kg, length: 7 m}, at: {start: ground.A, end: B}}",
+    ],
+)
+def test_a_rod_in_space_is_put_by_its_two_ends(rod: str) -> None:
+    """2^2 + 3^2 + 6^2 = 7^2."""
+    text = f"space: true\nground: {{points: {{A: [0, 0, 0], B: [2 m, 3 m, -6 m]}}}}\nbodies: {{bar: {rod}}}\n"
+    motion = fb.System.from_text(text + "measures: {x: x of bar.end, y: y of bar.end, z: z of bar.end}\n").simulate(
+        1e-3
+    )
+    assert [motion[axis][0] for axis in "xyz"] == pytest.approx([2, 3, -6])
+
+
+@pytest.mark.parametrize(("end", "x"), [("[2 m, 0, 0]", 2), ("[-2 m, 0, 0]", -2)])
+def test_a_rod_in_space_along_an_axis(end: str, x: float) -> None:
+    text = f"space: true\nbodies: {{bar: {{from: [0, 0, 0], to: {end}, mass: 6 kg}}}}\nmeasures: {{x: x of bar.end}}\n"
+    assert fb.System.from_text(text).simulate(1e-3)["x"][0] == pytest.approx(x)
+
+
+def test_a_rod_in_space_that_a_cable_holds() -> None:
+    """Moments about its foot: T 4 m = W 1.5 m."""
+    text = """
+space: {up: z}
+bodies: {rod: {from: [0, 0, 0], to: [0, 3 m, 4 m], mass: 6 kg}}
+ground: {points: {O: [0, 0, 0], P: [0, 0, 4 m]}}
+connections: {foot: {spherical: [ground.O, rod.start]}, cable: {string: {from: rod.end, to: ground.P}}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+    assert answer(text, "tension of cable") == pytest.approx(6 * 9.81 * 1.5 / 4)
 
 
 BEVELS = """
@@ -257,3 +297,40 @@ gravity: 9.81
 """
     lift = 2 * 8 * G - 20 * G * (0.5 + 0.2 * math.sqrt(0.75))
     assert answer(text, "acceleration of y") == pytest.approx(2 * lift / (20 + 4 * 8))
+
+
+LINE = "bodies: {b: {particle: {mass: 1 kg}, at: [1 m, 2 m]}}\n"
+
+
+@pytest.mark.parametrize(
+    ("said", "line"),
+    [
+        ("ground: {floor: horizontal}", "floor: {along: right}"),
+        ("ground: {floor: y = 1 m}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {floor: {y: 1 m}}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {floor: 1 m}", "floor: {along: right, through: [0, 1 m]}"),
+        ("ground: {slope: 30 deg}", "slope: {angle: 30 deg}"),
+        ("slope: 30 deg", "slope: {angle: 30 deg}"),
+        ("parameters: {beta: 30 deg}\nground: {slope: beta}", "slope: {angle: beta}"),
+    ],
+)
+def test_a_line_of_the_ground_by_how_it_lies(said: str, line: str) -> None:
+    plain = f"ground: {{lines: {{{line}}}}}"
+    plain = f"parameters: {{beta: 30 deg}}\n{plain}" if "beta" in said else plain
+    read, meant = (fb.System.from_text(f"{LINE}{each}\n") for each in (said, plain))
+    assert read.bodies["ground"] == meant.bodies["ground"]
+
+
+def test_an_upright_line_says_on_which_side_it_is_solid() -> None:
+    """It was offered as a level one."""
+    with pytest.raises(fb.ModelError, match=r"solid: right, through: \[2 m, 0\]") as refused:
+        fb.System.from_text(f"{LINE}ground: {{wall: x = 2 m}}\n")
+    assert len(refused.value.problems) == 1
+    with pytest.raises(fb.ModelError, match=r"slope: \{angle: 30 deg\}"):
+        fb.System.from_text(f"{LINE}ground: {{slope: 30}}\n")
+
+
+def test_a_wall_that_is_upright_and_no_more_is_raised_beside_the_body() -> None:
+    text = "connections: {c: {contact: [b, wall]}}\n"
+    read, meant = (fb.System.from_text(LINE + text + each) for each in ("ground: {wall: vertical}\n", ""))
+    assert read.bodies["ground"] == meant.bodies["ground"]

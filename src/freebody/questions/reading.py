@@ -57,11 +57,15 @@ from freebody.questions.turned_round import (
     RangeFor,
 )
 
+<<<<<<< HEAD
 _AS_FUNCTION = re.compile(
     r"(?P<what>.+?),? (?:as (?:a )?function of|als Funktion (?:von|der|des)|in Abhängigkeit (?:von|der|des)) (?:the )?"
     r"(?P<of>\w+) ?[?.]?",
     re.IGNORECASE,
 )
+=======
+KEYS_OF_QUESTIONS = ("find", "id", "when", "options", "key", "text", "points")
+>>>>>>> hC
 
 
 @dataclass(frozen=True)
@@ -179,7 +183,7 @@ def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
 
 def _questions(names: Names, name: str, value: Any) -> list[Question]:
     """What one entry asks: one question, or several where its words ask for several things."""
-    known = ("find", "id", "when", "options", "key", "text", "points")
+    known = KEYS_OF_QUESTIONS
     phrased = phrase_text(value)
     entry: dict[str, Any] = {}
     if phrased is not None:

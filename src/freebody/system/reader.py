@@ -39,6 +39,7 @@ from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.lying import tell_what_lies_level
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
+from freebody.system.reading.misspelt import told_by_what_is_meant
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.sections import CLOSES
@@ -50,10 +51,22 @@ from freebody.system.reading.validity import read_validities
 
 
 def read_system(document: Document, file: str | None) -> SystemDescription:
-    """What a document describes. A parameter with neither number nor unit has the unit with which it is used: read
-    once more with the units that were missed, until none is found. Raises ModelError with all its problems."""
+    """What a document describes. Raises ModelError with all its problems, those that follow from a misspelt word by
+    that word alone."""
+    try:
+        return _read_with_units(document, file)
+    except ModelError as error:
+        told = told_by_what_is_meant(document, error, lambda meant: _read_with_units(meant, file))
+        if told is error:
+            raise
+    raise told
+
+
+def _read_with_units(document: Document, file: str | None) -> SystemDescription:
+    """A parameter with neither number nor unit has the unit with which it is used: read once more with the units that
+    were missed, until none is found."""
     units: dict[str, Dimension] = {}
-    document, assumed, refused = as_read(document)
+    document, assumed, refused = as_read(document, file)
     while True:
         source = Source(document, file)
         source.refused = refused

@@ -18,16 +18,19 @@ from __future__ import annotations
 
 from typing import cast
 
+from freebody.errors import ModelError
 from freebody.language.document import Document
 from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.bevels import complete_bevels, with_bevels
+from freebody.system.reading.written.cams import with_cam
 from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.distances import with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
 from freebody.system.reading.written.held import ground_as_line, hold_bodies, raise_walls, roughen_lines
+from freebody.system.reading.written.hoops import with_hoop
 from freebody.system.reading.written.joined_places import leave_to_joints
 from freebody.system.reading.written.joints import join_rods, tell_middles
 from freebody.system.reading.written.linkages import with_linkage
@@ -63,11 +66,14 @@ _AT_REST = ("rest", "at rest", "from rest", "in ruhe", "ruhe")
 _IN_SPACE = ("3d", "3", "yes", "spatial")
 
 
-def as_read(document: Document) -> tuple[Document, list[Message], dict[str, Message]]:
+def as_read(document: Document, file: str | None) -> tuple[Document, list[Message], dict[str, Message]]:
     """The document in the form in which it is read, itself where it is written so, what that takes for granted,
-    and why sections are left as they are."""
+    and why sections are left as they are. Raises ModelError of a figure in a few lines that cannot be read."""
     written = Written(document.data)
-    _put_in_order(written)
+    try:
+        _put_in_order(written)
+    except ModelError as error:
+        raise ModelError([document.locate(problem) for problem in error.problems], file) from None
     is_other = written.data != document.data
     read = document.rewritten(written.data, written.moved) if is_other else document
     return read, written.assumed, written.refused
@@ -79,13 +85,15 @@ def _put_in_order(w: Written) -> None:
     if str(w.data.get("space")).lower() in _IN_SPACE:
         w.data["space"], w.space = True, True
         w.moved[("space",)] = ("space",)
-    if (truss := with_truss(w.data, space=w.space)) is not None:
+    if (truss := with_truss(w)) is not None:
         w.data, w.moved, told = truss[0], w.moved | truss[1], truss[2]
         w.assumed.append(told)
     with_beam(w)
     with_linkage(w)
     with_planetary(w)
     with_single(w)
+    with_cam(w)
+    with_hoop(w)
     with_bevels(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]

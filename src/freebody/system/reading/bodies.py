@@ -25,11 +25,10 @@ from freebody.system.reading.copies import copied_names
 from freebody.system.reading.faults import kind_meant
 from freebody.system.reading.frames import read_frames
 from freebody.system.reading.lines import read_line, read_plane
-from freebody.system.reading.sections import OF_LINES, PLANAR_OPTIONS, SAYS_KIND, SPATIAL_OPTIONS
+from freebody.system.reading.sections import CALLED_LINES, OF_LINES, PLANAR_OPTIONS, SAYS_KIND, SPATIAL_OPTIONS
 from freebody.system.reading.source import Source, known_keys
 from freebody.system.reading.two_places import distance_of_ends
 
-_CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 _LIES = ("on", "lies_on", "rests_on")
 _FLAT = ("floor", "table", "road", "street", "Boden", "Tisch", "Fahrbahn")
 _ENDS_IN_WORDS = {"von": "from", "nach": "to", "start": "from", "end": "to"}
@@ -87,6 +86,8 @@ class BodySections:
             if key not in known and self._is_line(key, value):
                 fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
                 line = {"along": fields.get("along", fields.get("angle", "right"))}
+                if isinstance(value, int | float) and not isinstance(value, bool):
+                    line = {"angle": f"{value} deg"}
                 others = {name: each for name, each in fields.items() if name not in OF_LINES}
                 hint: Message | str = ""
                 if others:
@@ -143,7 +144,9 @@ class BodySections:
     def _is_line(self, key: str, value: Any) -> bool:
         """Whether an entry of the ground is one of its lines, without the section in which these stand."""
         fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
-        return not self.names.space and (key in _CALLED_LINES or (bool(fields) and fields.keys() <= {*OF_LINES}))
+        return not self.names.space and (
+            (key in CALLED_LINES and not isinstance(value, list)) or (bool(fields) and fields.keys() <= {*OF_LINES})
+        )
 
     def body(self, name: str, value: Any) -> RigidBody | None:
         names = self.names
@@ -157,6 +160,14 @@ class BodySections:
                     name=name,
                 )
             )
+            return None
+        if value is None and (shape := self._shape_below(name)) is not None:
+            told = Message(
+                "{key} is not indented, so that {section} is empty: begin the line of {key} with two spaces more",
+                key=shape,
+                section=name,
+            )
+            names.problem(told)
             return None
         if not isinstance(value, dict):
             names.problem(Message("say what {name} is, e.g. {name}: {{disk: {{mass: m, radius: R}}}}", name=name))
@@ -243,6 +254,12 @@ class BodySections:
                 places = {end: fields[key] for end, key in zip(ends, ("from", "to"), strict=True) if key in given}
                 return {**entry, word: own or None, "at": places}
         return entry
+
+    def _shape_below(self, name: str) -> str | None:
+        """The shape that stands in the next line as a body of its own."""
+        called = [*self.source.mapping("bodies")]
+        below = called[called.index(name) + 1 :][:1]
+        return below[0] if below and below[0] in Shape.kinds else None
 
     def _kind(self, word: str, value: Any) -> str | None:
         return written_kind(word, value, Shape.kinds, space=self.names.space)

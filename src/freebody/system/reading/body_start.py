@@ -7,6 +7,7 @@ from dataclasses import replace
 from typing import Any, cast
 
 from freebody.language.document.writer import flow_text
+from freebody.language.expression import ZERO
 from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, VELOCITY
 from freebody.measures.geometry import Components
@@ -15,7 +16,7 @@ from freebody.model.elements import Start
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.system.reading.source import known_keys
-from freebody.system.reading.two_places import angle_by_two, place_of_point, two_points
+from freebody.system.reading.two_places import angle_by_two, place_of_point, turn_by_two, two_points
 
 POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where a body is: in the plane, in space
 
@@ -23,7 +24,10 @@ POSE_KEYS = {False: ("at", "angle"), True: ("at", "turned")}  # what says where 
 def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Mapping[str, Any]) -> Start:
     """Place, guess and speeds of a body with some points, of which one is meant where none is named."""
     angle = names.angle(entry["angle"], "angle") if "angle" in entry else None
-    if (two := two_points(names, entry.get("at"))) and set(two) <= set(points):
+    two = two_points(names, entry.get("at"))
+    if names.space and two and not _is_straight(points):
+        two = None
+    if two and set(two) <= set(points) and not names.space:
         if angle is not None:
             told = Message("at gives two points of the body, which say how it is turned: leave out its angle")
             names.problem(told, "angle")
@@ -39,7 +43,7 @@ def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Map
         names.problem(told, "velocity")
         velocity = None
     start = Start(
-        _place(names, entry.get("at"), default, points),
+        _place(names, entry.get("at"), default, points, two is not None),
         angle,
         None if velocity is None else names.components(velocity, VELOCITY, "velocity"),
         None,
@@ -47,16 +51,25 @@ def start_of_body(names: Names, entry: dict[str, Any], default: str, points: Map
     )
     spin = entry.get("angular_velocity")
     if names.space:
-        return _in_space(names, start, entry, spin)
+        by_ends = turn_by_two(names, entry["at"], points) if two and "turned" not in entry else None
+        return _in_space(names, start if by_ends is None else replace(start, turned=by_ends), entry, spin)
     if spin is None:
         return start
     return replace(start, angular_velocity=names.formula(spin, ANGULAR_VELOCITY, "angular_velocity"))
 
 
-def _place(names: Names, at: Any, default: str, points: Mapping[str, Any]) -> tuple[str, Components] | None:
+def _is_straight(points: Mapping[str, Components]) -> bool:
+    """Whether the ends of a body are on its x axis, as those of a rod."""
+    ends = [points[each] for each in ("start", "end") if each in points]
+    return len(ends) == 2 and all(part == ZERO for end in ends for part in end[1:])
+
+
+def _place(
+    names: Names, at: Any, default: str, points: Mapping[str, Any], are_two: bool
+) -> tuple[str, Components] | None:
     """`at: [x, y]` of the default point, `at: {P: [x, y]}` of another, or in the plane `{P: [x, y], Q: [x, y]}` of two;
     a point of the ground may stand for its coordinates."""
-    if isinstance(at, dict) and (len(cast("dict[str, Any]", at)) == 1 or two_points(names, at)):
+    if isinstance(at, dict) and (len(cast("dict[str, Any]", at)) == 1 or are_two):
         given = cast("dict[str, Any]", at)
         for point in given.keys() - set(points):
             told = Message("there is no point {name}.{hint}", name=point, hint=did_you_mean(point, points))

@@ -12,9 +12,9 @@ from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.looks import Looks
 from freebody.model.names import did_you_mean
+from freebody.system.reading.sections import OF_DRAWINGS
 from freebody.system.reading.source import Source, known_keys
 
-_KEYS = ("paths", "labels", "scale", "wheels", "hide")
 _MOST = 20.0  # times as large
 
 
@@ -25,10 +25,10 @@ def read_drawing(source: Source, named: Collection[str]) -> Looks:
     if entry is None:
         return Looks()
     if not isinstance(entry, dict):
-        names.problem(Message("drawing is a mapping: {keys}", keys=", ".join(_KEYS)), "drawing")
+        names.problem(Message("drawing is a mapping: {keys}", keys=", ".join(OF_DRAWINGS)), "drawing")
         return Looks()
     entry = cast("dict[str, Any]", entry)
-    known_keys(names, entry, _KEYS, "drawing", "drawing")
+    known_keys(names, entry, OF_DRAWINGS, "drawing", "drawing")
     known = {*named, *names.bodies, *names.parameters}
     paths = dict(_paths(source, entry.get("paths")))
     labels = {name: str(label) for name, label in _known(source, entry.get("labels"), "labels", known)}

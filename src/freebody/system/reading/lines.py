@@ -35,7 +35,7 @@ def read_line(names: Names, body: RigidBody, name: str, spec: Any) -> Line:
         entry = {key: value for key, value in entry.items() if key not in rough}
     known_keys(names, entry, ("through", *_DIRECTIONS), Message("a line"))
     given = [key for key in _DIRECTIONS if key in entry]
-    if not given:
+    if not given and entry.keys() <= {"through"}:  # else what is there is told to be wrong
         names.problem(Message("a line needs a direction, e.g. {{along: right}}, {{angle: -alpha}} or {{solid: down}}"))
     elif len(given) > 1:
         told = Message("{first} and {second} both say how the line runs; keep one", first=given[0], second=given[1])

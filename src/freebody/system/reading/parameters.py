@@ -29,6 +29,7 @@ from freebody.model.elements import Parameter, Sign
 from freebody.model.formulas import no_parameter_in
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
+from freebody.system.reading.sections import OF_PARAMETERS
 from freebody.system.reading.source import Source, known_keys
 
 _RIGHT_ANGLE = math.pi / 2
@@ -148,7 +149,7 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
     given = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
     if isinstance(value, dict):
         entry = given
-        known_keys(names, entry, ("value", "unit", "sign", "about"), Message("a parameter"))
+        known_keys(names, entry, OF_PARAMETERS, Message("a parameter"))
         if entry.get("sign", "positive") not in ("positive", "nonnegative", "any"):
             names.problem(
                 Message("sign is positive, nonnegative or any, not {value}", value=repr(entry["sign"])), "sign"

@@ -53,6 +53,7 @@ MEANT_SECTIONS: Mapping[str, str] = {
     },
     **dict.fromkeys(("description",), "about"),
 }
+CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
 ROUGH = (  # of what touches
     *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
@@ -62,6 +63,7 @@ LIES_ON = ("on", "lies_on", "rests_on")  # of a body, in itself, how it is held
 ATTACHED = ("attached_to", "fixed_to", "welded_to", "glued_to", "mounted_on", "fixed_at", "befestigt_an")
 HINGED = ("hinged_to", "pinned_to", "pivoted_to", "hinged_at", "pinned_at", "pivoted_at", "gelenkig_an")
 OF_GROUND = ("points", "lines", "planes")  # that the ground and bodies have
+OF_PARAMETERS = ("value", "unit", "sign", "about")
 
 SAYS_KIND = ("type", "kind", "shape")  # in an entry
 CLOSES = "closes"  # beside the kind of a connection
@@ -69,3 +71,5 @@ CLOSES = "closes"  # beside the kind of a connection
 _ALWAYS = ("at", "near", "velocity", "angular_velocity", "points", "lines", "fixed", "copies")
 PLANAR_OPTIONS = (*_ALWAYS, "angle", "outline")
 SPATIAL_OPTIONS = (*_ALWAYS, "turned", "frame", "planes")
+OF_DRAWINGS = ("paths", "labels", "scale", "wheels", "hide")
+OF_STYLES = ("names", "axes", "order", "decimal")

@@ -8,9 +8,9 @@ from typing import Any, Literal, cast
 
 from freebody.language.sentences import Message
 from freebody.model.style import HouseStyle
+from freebody.system.reading.sections import OF_STYLES
 from freebody.system.reading.source import Source, known_keys
 
-_KEYS = ("names", "axes", "order", "decimal")
 _NAME = re.compile(r"[A-Za-z]\w*")
 _DECIMALS: dict[str, Literal[".", ","]] = {"point": ".", "comma": ","}
 
@@ -21,10 +21,10 @@ def read_style(source: Source) -> HouseStyle:
     if entry is None:
         return HouseStyle()
     if not isinstance(entry, dict):
-        names.problem(Message("style is a mapping: {keys}", keys=", ".join(_KEYS)), "style")
+        names.problem(Message("style is a mapping: {keys}", keys=", ".join(OF_STYLES)), "style")
         return HouseStyle()
     entry = cast("dict[str, Any]", entry)
-    known_keys(names, entry, _KEYS, "style", "style")
+    known_keys(names, entry, OF_STYLES, "style", "style")
     decimal = entry.get("decimal")
     if decimal is not None and decimal not in _DECIMALS:
         names.problem(Message("decimal is point or comma"), "style", "decimal")

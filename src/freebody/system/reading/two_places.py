@@ -3,7 +3,8 @@
 The first point is where it is said to be, and the line from it to the second one says how the body is turned: by the
 angle of that line in the plane less the angle that it has in the body. A rod whose length is left open has the distance
 of its ends for it; of every other body the distance of the two points must be that of the two places, for all values of
-the parameters.
+the parameters. In space the two ends put a rod, which no turn about itself changes; for any other body they say too
+little.
 """
 
 from __future__ import annotations
@@ -16,17 +17,37 @@ from freebody.language.expression import PI, ZERO, Call, Expr, add, divide, eval
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
+from freebody.model.elements import Rotation
 from freebody.model.names import Names
 from freebody.model.polynomials import dot, polynomial, root
+from freebody.model.rotations import UNIT
 
 _DRAWS = 5  # at which two distances are compared
 _EQUAL = 1e-9
 
 
 def two_points(names: Names, at: Any) -> tuple[str, str] | None:
-    """The names under which a place gives two points of a body of the plane."""
-    given = cast("dict[str, Any]", at) if isinstance(at, dict) and not names.space else {}
+    """The names under which a place gives two points of a body of the plane, or in space the ends of a rod."""
+    given = cast("dict[str, Any]", at) if isinstance(at, dict) else {}
+    if names.space and set(given) != {"start", "end"}:
+        return None
     return cast("tuple[str, str]", tuple(given)) if len(given) == 2 else None
+
+
+def turn_by_two(names: Names, at: Mapping[str, Any], points: Mapping[str, Components]) -> tuple[Rotation, ...] | None:
+    """How the ends of a rod turn it in space: by the angle between its x axis and the line between them, about what
+    both are across. None, and a problem, where they cannot be there."""
+    first, second = (points[each] for each in ("start", "end"))
+    there = [place_of_point(names, at[point], "at", point) for point in ("start", "end")]
+    way, own = _way(*there), _way(first, second)
+    if not _can_be_there(names, at, way, own):
+        return None
+    x, y, z = way
+    if y == ZERO and z == ZERO:
+        return () if _is_positive(names, x) else (Rotation(UNIT[2], PI),)
+    across = polynomial(y) * polynomial(y) + polynomial(z) * polynomial(z)
+    size = root(across).expression()
+    return (Rotation((ZERO, negate(divide(z, size)), divide(y, size)), Call("acos", divide(x, _distance(way)))),)
 
 
 def place_of_point(names: Names, value: Any, *path: str | int) -> Components:
@@ -63,8 +84,16 @@ def angle_by_two(names: Names, at: Mapping[str, Any], points: Mapping[str, Compo
     if names.is_cut_short or len(names.problems) > n_before:
         return None
     outside, inside = _way(*there), _way(points[first], points[second])
+    if not _can_be_there(names, at, outside, inside):
+        return None
+    return add(_bearing(names, outside), negate(_bearing(names, inside)))
+
+
+def _can_be_there(names: Names, at: Mapping[str, Any], outside: Components, inside: Components) -> bool:
+    """Whether two points are as far apart in the body as they are put; else a problem is noted."""
+    first, second = at
     told = None
-    if outside == (ZERO, ZERO) or inside == (ZERO, ZERO):
+    if all(part == ZERO for part in outside) or all(part == ZERO for part in inside):
         told = Message(
             "{first} and {second} are at one place, which turns the body by no angle", first=first, second=second
         )
@@ -87,8 +116,7 @@ def angle_by_two(names: Names, at: Mapping[str, Any], points: Mapping[str, Compo
             )
     if told is not None:
         names.problem(told, "at")
-        return None
-    return add(_bearing(names, outside), negate(_bearing(names, inside)))
+    return told is None
 
 
 def _shown(length: float | None) -> str:
@@ -143,4 +171,4 @@ def _are_equal(first: Expr, second: Expr) -> bool:
     return True
 
 
-__all__ = ["angle_by_two", "distance_of_ends", "place_of_point", "two_points"]
+__all__ = ["angle_by_two", "distance_of_ends", "place_of_point", "turn_by_two", "two_points"]

@@ -5,8 +5,11 @@
     loads: [{type: distributed, from: 0, to: 3 m, value: q}, {type: point, at: 6 m, value: F}, {type: moment, ...}]
                                                                      also {P: F, x: 6 m}, {w: q, from: 0, to: 3 m}
 
+    supports: {A: 0, B: 6 m}                                         the first one a pin, the others rollers
+
 The beam lies level and begins at the origin; supports without names are A, B ... Loads act downwards and couples turn
-counter-clockwise where they say no direction, which is told.
+counter-clockwise where they say no direction, which is told. Supports and loads by names of points, `beam.end`, are
+those of every model, and are left alone.
 """
 
 from __future__ import annotations
@@ -19,11 +22,12 @@ from typing import Any, cast
 from freebody.language.document.tree import Place
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE, LENGTH, TORQUE
+from freebody.measures.geometry import GROUND
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import SAYS_NAME, Entry, Written
+from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
 
 _BEAMS = ("beam", "balken", "traeger", "girder")
 _SUPPORTS = ("supports", "lager", "auflager")
@@ -43,6 +47,14 @@ _AT = ("at", "x", "position", "distance", "pos", "location", "a")
 _SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "w", "F", "M", "P", "size")
 
 _FROM = {"from": ("from", "start", "x1"), "to": ("to", "end", "x2")}
+_WAY, _LENGTH, _MASS = ("direction", "along"), ("length", "L", "l"), ("mass", "m")
+VOCABULARY = Vocabulary(
+    (*_BEAMS, *_SUPPORTS, *_LOADS),
+    (
+        *(*_ENGLISH, *_PINNED, *_ROLLERS, *_CLAMPS, *_POINTS, *_SPREAD, *_COUPLES, *_AT, *_SIZES, *_WAY, *_LENGTH),
+        *(*_MASS, *SAYS_KIND, *SAYS_NAME, *_FROM["from"], *_FROM["to"]),
+    ),
+)
 
 
 def with_beam(w: Written) -> None:
@@ -56,12 +68,15 @@ def with_beam(w: Written) -> None:
     at, on = (next((key for key in w.data if folded(key) in words), "") for words in (_SUPPORTS, _LOADS))
     given = w.data[beams[0]]
     fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
-    length = next((fields[key] for key in ("length", "L", "l") if key in fields), None)
+    length = next((fields[key] for key in _LENGTH if key in fields), None)
     beam = _Beam(beams[0], str(length), w)
-    able = length is not None and fields.keys() <= {"length", "L", "l", "mass", "m"}
+    able = length is not None and fields.keys() <= {*_LENGTH, *_MASS}
+    if at and not able and not beam.is_of_points(w.data.get(at)):
+        strange = [key for key in fields if key not in (*_LENGTH, *_MASS)]
+        w.refuse(_no_word(Message("a beam"), strange, ("length", "mass", "supports", "loads")), beam.name)
     if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
         return
-    masses = [fields[key] for key in ("mass", "m") if key in fields]
+    masses = [fields[key] for key in _MASS if key in fields]
     rod = {"length": length, **({"mass": masses[0]} if masses else {})}
     body = {"rod": rod, "at": {"start": [0, 0]}, "angle": 0, "points": beam.points}
     rest = {key: value for key, value in w.data.items() if key not in (beam.name, at, on)}
@@ -100,15 +115,29 @@ class _Beam:
         self.pushed: Entry = {}
         self.moved: dict[Place, Place] = {}
 
+    def is_of_points(self, given: Any) -> bool:
+        """Whether supports or loads name points, as in every model."""
+        return given is None or re.search(rf"\b({re.escape(GROUND)}|{re.escape(self.name)})\.", str(given)) is not None
+
     def supports(self, given: Any, section: str) -> bool:
-        """Whether all supports could be read."""
-        items = [*_items(given)]
+        """Whether there are supports by their distances. Raises ModelError where one cannot be read."""
+        items = [*_items(given, plain="at")]
         free = (letter for letter in ascii_uppercase if all(letter != name for _step, name, _fields in items))
+        if self.is_of_points(given):
+            return False
+        by_place = [_one(fields, _AT) for _step, _name, fields in items if _kind(fields) is None]
         for step, said, fields in items:
             word, at = _kind(fields), _one(fields, _AT)
             name = said or next(free)
+            if strange := [key for key in fields if key not in (*SAYS_KIND, *_AT)]:
+                self.w.refuse(_no_word(Message("a support of a beam"), strange, ("type", "at")), section, step)
+            if word is None and at is not None and len(by_place) == len(items):
+                word = _PINNED[0] if step == items[0][0] else _ROLLERS[0]
             if word is None or at is None or name_problem(name) is not None:
-                return False
+                told = Message(
+                    "say how it holds and where: {name}: {{pin: 0 m}}, or roller, or fixed", name=said or "A"
+                )
+                self.w.refuse(told, section, step)
             point, there = self._point(name, at), f"ground.{name}"
             self.ground[name] = [at, 0]
             if word in _ROLLERS:
@@ -116,17 +145,29 @@ class _Beam:
             elif word in (*_PINNED, *_CLAMPS):
                 held = {"pin" if word in _PINNED else "weld": [there, point]}
             else:
-                return False
+                told = Message("a beam has no support {kind}: supports are pin, roller and fixed", kind=word)
+                self.w.refuse(told, section, step)
             self.connections[name] = held
             self.moved["connections", name] = (*self.w.stood((section,)), step)
+        if by_place:
+            told = Message("the supports say where they are: the first one is a pin, the others are rollers")
+            self.w.assumed.append(told)
         return bool(items)
 
     def loads(self, given: Any, section: str) -> bool:
-        """Whether all loads could be read."""
+        """Whether all loads could be read. Raises ModelError where one says what no load of a beam does."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
             size = _one(fields, _SIZES) or _varying(fields)
             word = _kind(fields) or self._by_unit(size)
             name = said or (f"{word}_{k}" if word else f"load_{k}")
+            known = (*SAYS_KIND, *_SIZES, *_AT, *_WAY, *_FROM["from"], *_FROM["to"])
+            strange = [key for key in fields if key not in known and not isinstance(fields[key], dict)]
+            if strange and word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
+                takes = ("type", "value", "at", "from", "to", "direction")
+                self.w.refuse(_no_word(Message("a load of a beam"), strange, takes), section, step)
+            if word is None and size is not None and not isinstance(size, list) and not self.is_of_points(given[step]):
+                told = Message("{value} is no force (N), no load per length (N/m) and no couple (N m)", value=str(size))
+                self.w.refuse(told, section, step)
             load = (
                 None
                 if word is None or size is None
@@ -167,8 +208,13 @@ class _Beam:
         return f"{self.name}.{name}"
 
 
-def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
-    """Items of a list or a mapping: where each stands, its name and fields; `{pin: 0 m}` says kind and place."""
+def _no_word(what: Message, strange: list[str], known: tuple[str, ...]) -> Message:
+    return Message("{what} has no {key}; it has {known}", what=what, key=in_turn(strange), known=in_turn(list(known)))
+
+
+def _items(given: Any, plain: str = "") -> Iterator[tuple[str | int, str, Entry]]:
+    """Items of a list or a mapping: where each stands, its name and fields; `{pin: 0 m}` says kind and place. plain:
+    what a value without fields says."""
     listed = cast("list[Any]", given if isinstance(given, list) else [])
     pairs = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(listed)]
     for step, item in pairs:
@@ -179,6 +225,11 @@ def _items(given: Any) -> Iterator[tuple[str | int, str, Entry]]:
         named = next((str(fields.pop(key)) for key in SAYS_NAME if key in fields), "")
         if isinstance(item, str) and (said := _SUPPORTED.fullmatch(item.strip())):
             fields = {"type": said["type"], "at": said["at"]}
+        elif plain and isinstance(item, str | int | float):
+            is_kind = folded(str(item)) in (*_PINNED, *_ROLLERS, *_CLAMPS)
+            fields = {"type" if is_kind else plain: item}
+            yield step, named or (step if isinstance(step, str) else ""), fields
+            continue
         if len(fields) == 1 and not isinstance(next(iter(fields.values())), dict):
             ((word, at),) = fields.items()
             fields = {"type": word, "at": at}

@@ -21,15 +21,15 @@ from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.dimensions import is_one_number
-from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
+from freebody.system.reading.written.toothed import MASSES, WORDS, of_wheel
 
 _SECTIONS = ("gears", "bevel_gears", "zahnraeder", "kegelraeder")
 _MESHES = ("mesh", "meshes", "meshing", "eingriff")
 _BEVEL, _BEVELS = "bevel_gears", ("bevel", "bevel_gear", "kegelrad")
-_TEETH = ("teeth", "z", "N", "n_teeth", "number_of_teeth", "zaehne")
-_MODULE = ("module", "modul", "m")
-_MASSES = ("mass", "inertia")
 _AXES = ("x", "y")
+_SPEEDS = ("speed", "omega", "n", "rpm")
+VOCABULARY = Vocabulary((*_SECTIONS, *_MESHES), (*WORDS, *SAYS_KIND, *_BEVELS, *_SPEEDS))
 
 
 def with_bevels(w: Written) -> None:
@@ -37,19 +37,24 @@ def with_bevels(w: Written) -> None:
     key = next((key for key in w.data if folded(str(key)) in _SECTIONS and isinstance(w.data[key], dict)), None)
     if key is None or any(w.data.get(section) for section in ("bodies", "connections", "ground", "measures")):
         return
-    given = cast("Entry", w.data[key])
+    given = _without_speeds(w, key, cast("Entry", w.data[key]))
+    given = {name: of_wheel(w, each, n_is_teeth=True) for name, each in given.items()}
     wheels = [cast("Entry", each) for each in given.values() if isinstance(each, dict)]
     kinds = {next((folded(str(each[said])) for said in SAYS_KIND if said in each), "") for each in wheels}
     is_told = folded(str(key)) in _SECTIONS[1::2] and kinds == {""}
     if len(given) != 2 or len(wheels) != 2 or not (is_told or kinds <= {*_BEVELS}) or not are_mappings(w, "parameters"):
         return
-    teeth = [_one(each, _TEETH) for each in given.values()]
-    module = next((m for each in given.values() if (m := _one(each, _MODULE)) is not None), None)
+    teeth = [each.get("teeth") for each in wheels]
+    module = next((m for each in wheels if (m := each.get("module")) is not None), None)
     if None in teeth:
-        return
+        told = Message(
+            "bevel gears need the teeth of both: {key}: {{{first}: {{teeth: 20}}, {second}: {{teeth: 40}}}}",
+            key=key,
+            **dict(zip(("first", "second"), given, strict=True)),
+        )
+        w.refuse(told, key)
     if (problem := _unread(w, key, wheels, given)) is not None:
-        w.refused[key] = problem
-        return
+        w.refuse(problem, key)
     if module is None:
         module = "module"
         w.data["parameters"] = {**cast("Entry", w.data.get("parameters") or {}), module: "mm"}
@@ -64,7 +69,7 @@ def with_bevels(w: Written) -> None:
         for name, axis in zip(given, _AXES, strict=True)
     }
     joints["mesh"] = {_BEVEL: {"first": first, "second": second, "teeth": teeth, "radius": one}}
-    masses = [{key: each for key, each in fields.items() if key in _MASSES} for fields in wheels]
+    masses = [{key: each for key, each in fields.items() if key in MASSES} for fields in wheels]
     bodies: Entry = {
         name: {"disk": {"radius": radius, "axis": axis, **own}}
         for name, own, radius, axis in zip(given, masses, (one, two), _AXES, strict=True)
@@ -88,9 +93,18 @@ def with_bevels(w: Written) -> None:
     )
 
 
+def _without_speeds(w: Written, key: str, given: Entry) -> Entry:
+    """The wheels; how fast one of them turns, said among them, stands beside them."""
+    wheels = [name for name, each in given.items() if isinstance(each, dict)]
+    speeds = [at for name in wheels for at in given if folded(str(at)) in _speeds_of(name) and at not in w.data]
+    w.data |= {at: given[at] for at in speeds}
+    w.moved |= {(at,): (key, at) for at in speeds}
+    return {name: each for name, each in given.items() if name not in speeds}
+
+
 def _unread(w: Written, key: str, wheels: list[Entry], given: Entry) -> Message | None:
     """What two bevel gears by their teeth say that nothing here would read, or that cannot be."""
-    known = (*_TEETH, *_MODULE, *_MASSES, *SAYS_KIND)
+    known = ("teeth", "module", *MASSES, *SAYS_KIND)
     said = [f"{name}.{word}" for name, each in zip(given, wheels, strict=True) for word in each if word not in known]
     meshes = [each for each in w.data if folded(str(each)) in _MESHES and each != key]
     told = [w.data[each] for each in meshes]
@@ -102,7 +116,7 @@ def _unread(w: Written, key: str, wheels: list[Entry], given: Entry) -> Message 
             **dict(zip(("first", "second"), given, strict=True)),
             unread=", ".join(said or meshes),
         )
-    modules = [each[word] for each in wheels for word in each if word in _MODULE]
+    modules = [each["module"] for each in wheels if "module" in each]
     if not is_one_number(w, modules):
         return Message(
             "gears that mesh have one module; here there are {modules}", modules=", ".join(map(str, modules))
@@ -122,9 +136,10 @@ def complete_bevels(w: Written) -> None:
             fields = Connection.kinds[_BEVEL].from_plain(value)
             for end in ("first", "second"):
                 _turn_about_its_axis(w, str(fields.get(end)))
-            wheels = [_gear(cast("Entry", w.data["bodies"]).get(str(fields.get(end)))) for end in ("first", "second")]
-            teeth = fields.get("teeth") or [_one(each, _TEETH) for each in wheels]
-            module = fields.get("module") or _one(wheels[0], _MODULE) or _one(wheels[1], _MODULE)
+            ends = [str(fields.get(end)) for end in ("first", "second")]
+            wheels = [_gear(w, cast("Entry", w.data["bodies"]).get(end)) for end in ends]
+            teeth = fields.get("teeth") or [each.get("teeth") for each in wheels]
+            module = fields.get("module") or wheels[0].get("module") or wheels[1].get("module")
             if not isinstance(teeth, list) or len(cast("list[Any]", teeth)) != 2 or None in teeth:
                 continue
             read = {key: each for key, each in fields.items() if key != "module"} | {"teeth": teeth}
@@ -155,17 +170,12 @@ def _turn_about_its_axis(w: Written, wheel: str) -> None:
             w.assumed.append(Message("{wheel} has the axis of its bearing, {axis}", wheel=wheel, axis=axis))
 
 
-def _gear(entry: Any) -> Entry:
+def _gear(w: Written, entry: Any) -> Entry:
     """What a body says of its teeth."""
     fields = cast("Entry", entry) if isinstance(entry, dict) else {}
-    found = [each for each in fields.values() if isinstance(each, dict)]
-    return next((cast("Entry", each) for each in found if _one(cast("Entry", each), _TEETH) is not None), {})
+    found = [of_wheel(w, cast("Entry", each)) for each in fields.values() if isinstance(each, dict)]
+    return next((each for each in found if "teeth" in each), {})
 
 
 def _speeds_of(name: str) -> tuple[str, ...]:
     return tuple(map(folded, (f"{name}_speed", f"{name}_omega", f"omega_{name}", f"n_{name}", f"{name}_rpm")))
-
-
-def _one(fields: Any, words: tuple[str, ...]) -> Any:
-    found = [each for key, each in cast("Entry", fields).items() if key in words] if isinstance(fields, dict) else []
-    return found[0] if len(found) == 1 else None

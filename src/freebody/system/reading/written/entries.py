@@ -52,6 +52,10 @@ _SMOOTH = ("smooth", "frictionless", "glatt", "reibungsfrei")
 def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     """One entry of bodies, connections or loads."""
     place: Place = (section, name)
+    if isinstance(entry, list) and len(cast("list[Any]", entry)) == 1 and isinstance(entry[0], dict):
+        entry = entry[0]  # `guide: [{slider: ...}]`, with a dash before its kind
+        w.data[section][name] = entry
+        w.moved[place] = (*w.stood(place), 0)
     beside = keys_beside(section, space=w.space)
     if section == "loads":
         entry = _at_its_name(w, name, entry)

@@ -3,9 +3,10 @@
 from __future__ import annotations
 
 from collections.abc import Mapping
-from typing import Any, cast
+from typing import Any, NamedTuple, NoReturn, cast
 
 from freebody.connections.base import Connection
+from freebody.errors import ModelError, Problem
 from freebody.language.document.tree import Place
 from freebody.language.sentences import Message
 from freebody.loads.base import Load
@@ -21,9 +22,16 @@ SAYS_NAME = ("name", "id")
 JOINED = ("connections", "loads")
 
 
+class Vocabulary(NamedTuple):
+    """The words that a figure in a few lines is written in: those of its sections, and those that stand in them."""
+
+    sections: tuple[str, ...]
+    inside: tuple[str, ...]
+
+
 class Written:
     """Data of a document while it is put in order. moved: where what has another place now stands in the file;
-    refused: what is wrong with sections that cannot be read safely, and so stay as they are."""
+    refused: what is wrong with sections that say nothing here."""
 
     def __init__(self, data: Entry) -> None:
         self.data = data
@@ -31,6 +39,11 @@ class Written:
         self.moved: dict[Place, Place] = {}
         self.assumed: list[Message] = []
         self.refused: dict[str, Message] = {}
+
+    def refuse(self, message: Message, *place: str | int) -> NoReturn:
+        """A figure in a few lines that cannot be read safely: what else the file says belongs to it, and is judged when
+        it can be. Raises ModelError."""
+        raise ModelError([Problem(self.stood(place), message)])
 
     def stood(self, place: Place) -> Place:
         """Where something stands in the file."""

@@ -16,13 +16,12 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
-from freebody.language.units import LENGTH, MASS
 from freebody.measures.geometry import GROUND
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import MEANT
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.toothed import of_wheel
 
 _UNIT, _PIN, _MESH, _WELD = "mm", "pin", "gear_mesh", "weld"
 # what does not carry an axle, whatever it does to the wheel on it
@@ -250,20 +249,11 @@ def _gears(w: Written, *, every: bool = False) -> Iterator[tuple[str, Entry]]:
     for name, entry in cast("Entry", bodies).items() if isinstance(bodies, dict) else ():
         for word, value in cast("Entry", entry).items() if isinstance(entry, dict) else ():
             kind = written_kind(word, value, Shape.kinds, space=w.space) if isinstance(value, dict) else None
-            fields = cast("Entry", value) if isinstance(value, dict) else {}
+            fields = cast("Entry", of_wheel(w, value, n_is_teeth=True)) if isinstance(value, dict) else {}
             own = set[str]() if kind is None else Shape.kinds[kind].model_fields.keys()
             if {"teeth", "module"} <= own and (every or ("teeth" in fields and "radius" not in fields)):
-                entry[word] = _with_m(w, dict(fields))  # the document keeps its own
+                entry[word] = fields  # the document keeps its own
                 yield name, entry[word]
-
-
-def _with_m(w: Written, fields: Entry) -> Entry:
-    """`m: 4 mm` is the module, `m: 2 kg` the mass."""
-    dimension = dimension_said(w, fields.get("m"))
-    meant = None if dimension is None else {LENGTH: "module", MASS: "mass"}.get(dimension)
-    if meant is None or meant in fields:
-        return fields
-    return {meant if key == "m" else key: each for key, each in fields.items()}
 
 
 def _groups(w: Written, gears: dict[str, Entry]) -> list[list[str]]:

@@ -19,9 +19,10 @@ from freebody.measures.geometry import GROUND
 from freebody.model.names import is_of_surroundings
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.sections import SAYS_KIND
-from freebody.system.reading.written.form import Entry, Written, are_mappings, shape_of
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings, shape_of
 
 _PARENT, _CHILD, _TORQUE = "parent", "child", "torque"
+VOCABULARY = Vocabulary((), (_PARENT, _CHILD, _TORQUE))
 _HINGES = ("revolute", "continuous", "hinge", "pin", "rotary")
 _ROD, _PIN = "rod", "pin"
 

@@ -17,7 +17,7 @@ from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
 
 _LINKS = ("links", "Glieder")
 _FRAMES = ("ground", "frame", "fixed", "base", "ground_link", "fixed_link", "gestell")
@@ -37,6 +37,14 @@ _HELD = ("ground", "fixed", "supports", "joints", "pivots")
 _ON_GROUND = re.compile(r"\b(ground|grounded|fixed|frame|world|gestell|pin|pinned|support)\b")
 _HINGES = re.compile(r"\b(pin|pinned|revolute|hinge|gelenk|drehgelenk)\b")
 _ENDS = (("from", "to"), ("start", "end"), ("first", "second"), ("von", "nach"))
+VOCABULARY = Vocabulary(
+    (*_LINKS, *_FOUR_BARS, *_PLACES, *_HELD),
+    (
+        *(word for words in _PARTS for word in words),
+        *(word for pair in _ENDS for word in pair),
+        *(*_ANGLES, *_SPEEDS, *_OF_CRANK, "points", "between", "mass", "length", "initial"),
+    ),
+)
 
 
 def with_linkage(w: Written) -> None:
@@ -89,6 +97,12 @@ def _with_four_bars(w: Written) -> None:
     moving = [name for name in given if name not in fixed]
     pins: Entry = dict(zip(_HINGED, _ends_of(moving), strict=False))
     taken = {*cast("Entry", w.data.get("connections") or {})}
+    if folded(str(key)) in _FOUR_BARS and len(given) < len(_PARTS) and None not in given.values():
+        left = [part for part in _PART_NAMES if part not in [_part_of(name) for name in given]]
+        told = Message(
+            "a four-bar has four lengths: crank, coupler, rocker and ground; {left} is missing", left=left[-1]
+        )
+        w.refuse(told, key)
     if len(fixed) != 1 or len(moving) != 3 or None in given.values() or any(map(name_problem, moving)):
         return
     if taken & pins.keys() or (w.data.get("ground") or {}):
@@ -100,8 +114,7 @@ def _with_four_bars(w: Written) -> None:
             "say which link is which: crank, coupler, rocker and ground; {names} can mean either",
             names=", ".join(given),
         )
-        w.refused[key] = told
-        return  # the order says other than the words
+        w.refuse(told, key)  # the order says other than the words
     ends = {_HINGED[0]: [0, 0], _HINGED[-1]: [given[fixed[0]], 0]}
     w.data = {name: each for name, each in w.data.items() if name != key}
     w.data |= {"ground": {"points": ends}, "bodies": {name: {"rod": {"length": given[name]}} for name in moving}}

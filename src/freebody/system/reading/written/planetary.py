@@ -18,7 +18,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.written.dimensions import dimension_said, is_one_number, value_said
-from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
+from freebody.system.reading.written.toothed import MASSES, MODULE, TEETH, WORDS, M, N, of_wheel, one_of
 
 _SECTIONS = ("planetary", "planetary_gear", "planetary_gears", "planetary_gear_set", "epicyclic", "epicyclic_gear")
 _GERMAN_SECTIONS = ("planetengetriebe", "umlaufgetriebe")
@@ -29,15 +30,14 @@ _PARTS = {
     **dict.fromkeys(("carrier", "arm", "planet_carrier", "cage", "steg"), "carrier"),
 }
 _DRIVEN = ("input", "drive", "driven", "antrieb")
-_MODULE, _TEETH = ("module", "modul", "m"), ("teeth", "z", "number_of_teeth", "n_teeth", "zaehne", "zaehnezahl")
 _HELD = ("fixed", "held", "stationary", "fixed_member", "fixed_gear", "fest")
-_N = "n"  # of a part a number of teeth (`N_sun`), in a part of copies
-_COPIES = ("copies", "number", "count", "number_of_planets", "n_planets", "planets_n", "anzahl", _N)
+_COPIES = ("copies", "number", "count", "number_of_planets", "n_planets", "planets_n", "anzahl", N)
 _PLURALS = ("planets", "planetenraeder")
-_MASSES = ("mass", "inertia")
 _AMONG = ("bodies", "connections", "parameters")
 _AXIS = "O"
 _ROUND_OFF = 1e-6  # of teeth
+_MODULE = (*MODULE, M)
+VOCABULARY = Vocabulary((*_SECTIONS, *_GERMAN_SECTIONS), (*_PARTS, *_DRIVEN, *_HELD, *_COPIES, *_PLURALS, *WORDS))
 
 
 def with_planetary(w: Written) -> None:
@@ -48,7 +48,7 @@ def with_planetary(w: Written) -> None:
         return
     given, problem = _by_parts(w, cast("Entry", given))
     called = {part: name for name in given if (part := _PARTS.get(folded(str(name)))) is not None}
-    fields = {part: _fields(given[name]) for part, name in called.items()}
+    fields = {part: of_wheel(w, _fields(given[name])) for part, name in called.items()}
     module = next((given[each] for each in given if folded(str(each)) in _MODULE), None)
     held = next((given[each] for each in given if folded(str(each)) in _HELD), None)
     driven = next((each for each in given if folded(str(each)) in _DRIVEN and isinstance(given[each], dict)), None)
@@ -59,16 +59,15 @@ def with_planetary(w: Written) -> None:
     problem = problem or _contradiction(w, given, fields, held, others)
     if "copies" in given:
         fields["planet"] = {**fields.get("planet", {}), "copies": given["copies"]}
-    teeth = {part: _one(each, _TEETH) for part, each in fields.items() if part != "carrier"}
+    teeth = {part: one_of(each, TEETH) for part, each in fields.items() if part != "carrier"}
     if problem is None and not ({"sun", "ring"} <= called.keys() and _with_all_teeth(teeth)):
         problem = Message(
             "a planetary gear needs the teeth of its sun and its ring, as {key}: {{sun: 24, ring: 72, fixed: ring}}",
             key=key,
         )
     if (problem := problem or _misfit(w, teeth)) is not None:
-        w.refused[key] = problem
-        return
-    module = module if module is not None else next((m for each in fields.values() if (m := _one(each, _MODULE))), None)
+        w.refuse(problem, key)
+    module = module if module is not None else next((m for each in fields.values() if (m := each.get("module"))), None)
     bodies, connections = w.data.get("bodies") or {}, w.data.get("connections") or {}
     called = {part: called.get(part, part) for part in ("sun", "planet", "ring", "carrier")}
     joined = _joined(called, is_held := {part: _is_held(part, fields, held) for part in called})
@@ -111,13 +110,13 @@ def _by_parts(w: Written, given: Entry) -> tuple[Entry, Message | None]:
         word = folded(str(key))
         said = [(part, left) for name, part in _PARTS.items() if (left := _beside(word, name)) is not None]
         own: Entry = {key: value}
-        if word in _TEETH and isinstance(value, dict):
+        if word in TEETH and isinstance(value, dict):
             own = cast("Entry", value)
-        elif (word in _COPIES and word != _N) or (word in _PLURALS and not isinstance(value, dict | None)):
+        elif (word in _COPIES and word != N) or (word in _PLURALS and not isinstance(value, dict | None)):
             own = {"copies": value}
-        elif said and said[0][1] in (*_TEETH, _N) and not isinstance(value, dict | list):
+        elif said and said[0][1] in (*TEETH, N) and not isinstance(value, dict | list):
             own = {said[0][0]: value}
-            if dimension_said(w, value) not in (DIMENSIONLESS, *(() if said[0][1] == _N else (None,))):
+            if dimension_said(w, value) not in (DIMENSIONLESS, *(() if said[0][1] == N else (None,))):
                 return given, _no_teeth(str(key), said[0][0], value)
         taken = {_PARTS.get(folded(str(each)), each) for each in read}
         if twice := [name for name in own if _PARTS.get(folded(str(name)), name) in taken]:
@@ -139,18 +138,18 @@ def _contradiction(w: Written, given: Entry, fields: dict[str, Entry], held: Any
         counts = [word for word in words if word in _COPIES]
         if counts and (part != "planet" or "copies" in given):
             return Message("{key} of {part} can mean its teeth: write teeth for those", key=counts[0], part=part)
-        for group in (_TEETH, _MODULE, _HELD, _COPIES):
+        for group in (TEETH, _MODULE, _HELD, _COPIES):
             if len([word for word in words if word in group]) > 1:
                 return _twice(f"{part}.{group[0]}")
         if any(not isinstance(own[key], bool) for key in own if folded(str(key)) in _HELD):
             return Message("fixed is true or false of a part")
-        teeth = _one(own, _TEETH)
+        teeth = one_of(own, TEETH)
         if part == "carrier" and teeth is not None:
             return Message("the carrier has no teeth")
         if teeth is not None and dimension_said(w, teeth) not in (DIMENSIONLESS, None):
             return _no_teeth(part, part, teeth)
     beside = [given[each] for each in given if folded(str(each)) in _MODULE]
-    modules = [*beside, *(m for own in fields.values() if (m := _one(own, _MODULE)) is not None)]
+    modules = [*beside, *(m for own in fields.values() if (m := one_of(own, _MODULE)) is not None)]
     if not is_one_number(w, modules):
         return Message(
             "gears that mesh have one module; here there are {modules}", modules=", ".join(map(str, modules))
@@ -214,11 +213,11 @@ def _is_held(part: str, fields: dict[str, Entry], held: Any) -> bool:
 
 
 def _body(part: str, fields: Entry, teeth: Entry, module: Any, *, held: bool) -> Entry:
-    masses = {key: each for key, each in fields.items() if key in _MASSES}
+    masses = {key: each for key, each in fields.items() if key in MASSES}
     beside: Entry = {
         key: each
         for key, each in fields.items()
-        if key not in _MASSES and folded(str(key)) not in (*_TEETH, *_MODULE, *_HELD, *_COPIES)
+        if key not in MASSES and folded(str(key)) not in (*TEETH, *_MODULE, *_HELD, *_COPIES)
     }
     if held:
         beside["fixed"] = True
@@ -226,7 +225,7 @@ def _body(part: str, fields: Entry, teeth: Entry, module: Any, *, held: bool) ->
         place = [f"(({teeth['sun']}) + ({teeth['planet']}))*({module})/2", 0]
         near = {} if held else {"near": {"angle": 0}}  # it turns: any angle is as good
         return {"body": masses or None, "points": {"axle": place}, **near, **beside}
-    copies = _one(fields, _COPIES)
+    copies = one_of(fields, _COPIES)
     if part == "planet" and copies is not None:
         beside["copies"] = copies
     internal = {"internal": True} if part == "ring" else {}
@@ -247,8 +246,3 @@ def _joined(called: dict[str, str], held: dict[str, bool]) -> Entry:
         f"{sun}_{planet}": {"gear_mesh": [sun, planet]},
         f"{ring}_{planet}": {"gear_mesh": [ring, planet]},
     }
-
-
-def _one(fields: Entry, words: tuple[str, ...]) -> Any:
-    found = [each for key, each in fields.items() if folded(str(key)) in words]
-    return found[0] if len(found) == 1 else None

@@ -13,10 +13,11 @@ from typing import Any, cast
 from freebody.language.document.tree import Place
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.model.written_kinds import words_also, written_kind
 from freebody.system.reading.sections import (
     ATTACHED,
+    CALLED_LINES,
     HINGED,
     LIES_ON,
     MEANT_SECTIONS,
@@ -26,6 +27,7 @@ from freebody.system.reading.sections import (
     SAYS_KIND,
     SECTIONS,
 )
+from freebody.system.reading.vocabulary import figure_meant
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import (
     JOINED,
@@ -45,6 +47,9 @@ _BODIES_SAY = {"mass", "inertia", "inertial", "visual", "geometry"}  # and no co
 _BODY, _DRIVER = "body", "driver"
 _PLURALS = ("s", "es", "e", "en", "n", "")
 _FLOOR, _LEVEL = "floor", "y"  # `ground: {y: 0}`
+_WALL, _UPRIGHT = "wall", ("vertical", "upright", "senkrecht", "vertikal", "lotrecht")
+_LEVEL_WORDS = ("horizontal", "level", "right", "waagerecht", "waagrecht", "flat")
+_EQUATION = re.compile(r"(?P<axis>[xy]) ?= ?(?P<value>.+)")
 _CALLED = ("system", "model", "problem", "exercise", "robot", "aufgabe")  # what a file is about
 _DIMENSION = re.compile(  # `model: 3D`
     r"(in_|in_the_|in_der_|im_)?"
@@ -90,6 +95,13 @@ def take_in_sections(w: Written) -> None:
         elif (joined := _joined_as(w, key, value) or _called_as(w, key, value)) is not None:
             _take_in(w, joined, {key: {key: _as_symbol(w, key, value)}}, key, (key,))
         elif _says_a_body(w, key, value):
+            if (figure := figure_meant(key)) is not None:
+                told = Message(
+                    "there is no {key}. Did you mean {figure}? A body of that name stands under bodies",
+                    key=key,
+                    figure=figure,
+                )
+                w.refuse(told, key)
             _take_in(w, "bodies", {key: value}, key, (key,))
 
 
@@ -109,16 +121,54 @@ def lines_of_ground(w: Written) -> None:
             if name == "surfaces" and isinstance(value, dict):
                 own |= {line: ((*place, line), fields) for line, fields in cast("Entry", value).items()}
             elif name not in (*OF_GROUND, *SECTIONS) and is_line(value):
-                own[name] = place, value
+                own[name] = place, _by_coordinate(w, name, value, place)
             elif owner and name == _LEVEL and isinstance(value, str | int | float):
                 own[_FLOOR] = place, {"along": "right", "through": [0, value]}
+            elif (way := _way_said(w, name, value, place) if owner or name in CALLED_LINES else None) is not None:
+                own[name] = place, way
     if not own or own.keys() & cast("Entry", lines).keys():
         return
     gone = {place[0] if place[0] != "ground" else place[1] for place, _value in own.values()}
     w.data = {key: value for key, value in w.data.items() if key not in gone}
     rest = {key: value for key, value in entries.items() if key not in gone}
+    own = {line: each for line, each in own.items() if each[1] != {}}
     w.data["ground"] = {**rest, "lines": {**cast("Entry", lines), **{line: value for line, (_p, value) in own.items()}}}
     w.moved |= {("ground", "lines", line): w.stood(place) for line, (place, _value) in own.items()}
+
+
+def _way_said(w: Written, name: str, value: Any, place: Place) -> Entry | None:
+    """`floor: horizontal`, `slope: 30 deg`, `floor: y = 0` as lines; nothing of a wall, which is raised where no more
+    is said of it than that it is upright."""
+    if isinstance(value, bool) or not isinstance(value, str | int | float) or name in OF_GROUND:
+        return None
+    said = folded(str(value))
+    if (at := _EQUATION.fullmatch(str(value).strip())) is not None:
+        return cast("Entry", _by_coordinate(w, name, {at["axis"]: at["value"]}, place))
+    if said in _UPRIGHT:
+        return {} if name == _WALL else cast("Entry", _by_coordinate(w, name, {"x": 0}, place))
+    if said in _LEVEL_WORDS:
+        return {"along": "right"}
+    dimension = dimension_said(w, value)
+    is_number = str(value).strip().replace(".", "").isdigit()
+    if name in CALLED_LINES and (dimension == LENGTH or str(value) == "0"):
+        return cast("Entry", _by_coordinate(w, name, {"x" if name == _WALL else "y": value}, place))
+    return {"angle": value} if dimension == DIMENSIONLESS and not is_number else None
+
+
+def _by_coordinate(w: Written, name: str, value: Any, place: Place) -> Any:
+    """`{y: 0}` and `{x: 2 m}` as lines: a level one bears what lies on it, an upright one has to say its side."""
+    fields = cast("Entry", value)
+    if {*fields} == {"y"}:
+        return {"along": "right", "through": [0, fields["y"]]}
+    if {*fields} == {"x"}:
+        told = Message(
+            "{name} is upright: say on which side it is solid, as ground: {{lines: {{{name}: {{solid: right, through: "
+            "[{x}, 0]}}}}}} for what is on its left, else solid: left",
+            name=name,
+            x=str(fields["x"]),
+        )
+        w.refuse(told, *place)
+    return value
 
 
 def is_line(value: Any) -> bool:

@@ -24,7 +24,8 @@ from freebody.system.reading.written.vectors import SPEEDS
 
 _TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
 _ALIKE = 0.7  # of a word to that of a field: a slip of the pen
-_DISK = "disk"
+_DISK, _ROD = "disk", "rod"
+_ENDS = (("from", "to"), ("start", "end"), ("von", "nach"))
 _LENGTH = "length"  # what says that alone is a rod
 _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of them
 
@@ -32,6 +33,7 @@ _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of
 def with_shape(w: Written, name: str, entry: Entry) -> Entry:
     """The entry of a body with its shape, where it has none and can have one only, and beside it what no shape has."""
     beside = keys_beside("bodies", space=w.space)
+    entry = _between_ends(w, name, entry)
     fields = {key: value for key, value in entry.items() if not as_option(key, beside)}
     said = next((key for key in SAYS_KIND if isinstance(fields.get(key), str)), None)
     if said is not None and fields[said] in fields:  # `type: mass, mass: m`
@@ -68,6 +70,22 @@ def with_shape(w: Written, name: str, entry: Entry) -> Entry:
         Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(own), kind=shape)
     )
     return _with(w, name, entry, shape, own)
+
+
+def _between_ends(w: Written, name: str, entry: Entry) -> Entry:
+    """`{from: A, to: B, mass: m}`: what is put by its two ends is a rod, where it says no other shape."""
+    pair = next((pair for pair in _ENDS if {*pair} <= entry.keys()), None)
+    if pair is None or "at" in entry:
+        return entry
+    rest = {key: value for key, value in entry.items() if key not in pair}
+    at = {end: entry[key] for end, key in zip(("start", "end"), pair, strict=True)}
+    w.moved["bodies", name, "at"] = (*w.stood(("bodies", name)), pair[0])
+    if any(key in SAYS_KIND or written_kind(key, rest[key], Shape.kinds, space=w.space) for key in rest):
+        return {**rest, "at": at}
+    own = {key: value for key, value in rest.items() if _knows(Shape.kinds[_ROD], key)}
+    told = Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(pair), kind=_ROD)
+    w.assumed.append(told)
+    return {_ROD: own or None, **{key: value for key, value in rest.items() if key not in own}, "at": at}
 
 
 def _of_type(w: Written, name: str, entry: Entry, fields: Entry, said: str) -> Entry:

@@ -15,19 +15,19 @@ from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME, Dimension
+from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME
 from freebody.system.reading.sections import MEANT_SECTIONS
-from freebody.system.reading.written.dimensions import dimension_said
-from freebody.system.reading.written.form import Entry, Written, are_mappings
+from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
+from freebody.system.reading.written.numbers_given import Words, as_parameters, quantities, refuse_strange, weigh
 
 _SECTIONS = ("parameters", "ground", "connections", "loads", "measures", "start")
 _STIFFNESS, _DAMPING = FORCE / LENGTH, FORCE * TIME / LENGTH
-_OSCILLATOR: dict[str, tuple[tuple[str, ...], Dimension]] = {  # by the symbols: words, and what they are
+_OSCILLATOR: Words = {  # by the symbols: words, and what they are
     "m": (("mass", "m", "masse"), MASS),
     "k": (("stiffness", "k", "spring_constant", "spring", "federsteifigkeit", "federkonstante"), _STIFFNESS),
     "c": (("damping", "c", "b", "d", "damper", "damping_constant", "damping_coefficient", "daempfung"), _DAMPING),
 }
-_PENDULUM: dict[str, tuple[tuple[str, ...], Dimension]] = {
+_PENDULUM: Words = {
     "L": (("length", "l", "laenge"), LENGTH),
     "m": (("mass", "m", "masse"), MASS),
     "theta_0": (
@@ -43,6 +43,10 @@ _FACTOR = re.compile(r"(?P<size>[\d.]+(?:e-?\d+)? ?[A-Za-z]\w*) ?\* ?(?P<rest>.*
 _RATE = re.compile(r"(?<![\w.)^])(?<![\d.][eE][-+])(?P<rate>[\d.]+(?:[eE][-+]?\d+)?) ?\*? ?t\b")
 _EXCITED = ("force", "f", "kraft")
 _CALLED = ("pendulum", "simple_pendulum", "pendel", "fadenpendel")
+VOCABULARY = Vocabulary(
+    (*_CALLED, *_EXCITED, *_OF_START, *(word for words, _dimension in _OSCILLATOR.values() for word in words)),
+    tuple(word for words, _dimension in _PENDULUM.values() for word in words),
+)
 
 
 def with_single(w: Written) -> None:
@@ -55,12 +59,12 @@ def with_single(w: Written) -> None:
 
 
 def _with_oscillator(w: Written) -> None:
-    said = _quantities(w, w.data, _OSCILLATOR)
+    said = quantities(w, w.data, _OSCILLATOR)
     if said is None or not {"m", "k"} <= said.keys():
         return
     force = next((key for key in w.data if folded(str(key)) in _EXCITED and isinstance(w.data[key], str | int)), None)
     start = {key: at for at in w.data if (key := _OF_START.get(folded(str(at)))) is not None}
-    symbols = _as_parameters(w, said, w.data, ())
+    symbols = as_parameters(w, said, w.data, ())
     if start:
         there = cast("Entry", w.data.get("start") or {})
         w.data["start"] = {**{key: w.data[at] for key, at in start.items()}, **there}
@@ -96,10 +100,15 @@ def _excitation(w: Written, key: str) -> Any:
 def _with_pendulum(w: Written) -> None:
     key = next((key for key in w.data if folded(str(key)) in _CALLED and isinstance(w.data[key], dict)), None)
     given = cast("Entry", w.data[key]) if key is not None else {}
-    said = _quantities(w, given, _PENDULUM)
-    if key is None or said is None or len(said) < len(given) or "L" not in said or w.data.get("measures"):
+    said = quantities(w, given, _PENDULUM)
+    if key is None or not said or w.data.get("measures"):
         return
-    symbols = _as_parameters(w, said, given, (key,))
+    if "L" not in said and "m" in said and not any(isinstance(each, dict) for each in given.values()):
+        w.refuse(Message("a pendulum needs a length: {key}: {{length: 1 m, mass: 2 kg}}", key=key), key)
+    if "L" not in said:
+        return
+    refuse_strange(w, (key,), Message("a pendulum"), given, said, ("length", "mass", "angle"))
+    symbols = as_parameters(w, said, given, (key,))
     if "m" not in symbols:
         symbols["m"] = "m"
         w.data["parameters"] = {**cast("Entry", w.data.get("parameters") or {}), "m": "kg"}
@@ -115,33 +124,9 @@ def _with_pendulum(w: Written) -> None:
     if "theta_0" in symbols:
         start = cast("Entry", w.data.get("start") or {})
         w.data["start"] = {"theta": symbols["theta_0"], "rate(theta)": 0, **start}
+    weigh(w)
     w.moved |= {("bodies", "bob"): (key,), ("connections", "cord"): (key,), ("ground",): (key,), ("measures",): (key,)}
     w.moved |= {("start", "theta"): (key, said.get("theta_0", "")), ("start", "rate(theta)"): (key,)}
     w.assumed.append(
         Message("{name} is a point mass, bob, on a link without mass, cord; theta counts from down", name=str(key))
     )
-
-
-def _quantities(w: Written, given: Entry, words: dict[str, tuple[tuple[str, ...], Dimension]]) -> dict[str, str] | None:
-    """By the symbols: the keys that say a quantity of that dimension; None where two say one."""
-    found: dict[str, str] = {}
-    for key, value in given.items():
-        for symbol, (called, dimension) in words.items():
-            if folded(str(key)) in called and dimension_said(w, value) == dimension:
-                if symbol in found:
-                    return None
-                found[symbol] = key
-    return found
-
-
-def _as_parameters(w: Written, said: dict[str, str], given: Entry, place: tuple[str, ...]) -> dict[str, Any]:
-    """By the symbols what stands in formulas: a parameter that has the number, or what is written there."""
-    there = cast("Entry", w.data.get("parameters") or {})
-    own = {symbol: given[key] for symbol, key in said.items() if symbol not in there and _is_number(given[key])}
-    w.data["parameters"] = {**there, **own}
-    w.moved |= {("parameters", symbol): (*place, said[symbol]) for symbol in own}
-    return {symbol: symbol if symbol in own else given[key] for symbol, key in said.items()}
-
-
-def _is_number(value: Any) -> bool:
-    return isinstance(value, int | float) or str(value).strip()[:1] in "0123456789."

@@ -13,24 +13,32 @@ from __future__ import annotations
 
 from typing import Any, cast
 
+from freebody.errors import ModelError, Problem
 from freebody.language.document.tree import Place
+from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-
-Entry = dict[str, Any]
+from freebody.system.reading.written.form import Entry, Vocabulary, Written
 
 _MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
 _PLACES = ("nodes", "joints", "points", "knoten")
+_MEMBERS_ALONE, _NODES_ALONE = ("members", "truss_members", "staebe"), ("nodes", "knoten")  # of nothing else
 _NUMBERED = "member_"  # before a number that is the name of one
 _PINNED = ("pin", "pinned", "hinge", "fixed", "festlager", "a_lager")
 _ROLLER = ("roller", "loslager", "b_lager", "slider")
 _SUPPORTS = ("supports", "lager", "auflager")
+_NODE, _ENDS, _WAY = ("at", "node", "point", "joint"), ("nodes", "between", "from", "to"), ("along", "direction")
+VOCABULARY = Vocabulary(
+    (*_MEMBERS, *_PLACES, *_SUPPORTS), (*_PINNED, *_ROLLER, *_NODE, *_ENDS, *_WAY, "type", "name", "x", "y", "z")
+)
 
 
-def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], Message] | None:
+def with_truss(w: Written) -> tuple[Entry, dict[Place, Place], Message] | None:
     """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
-    None where it has none, or not all of it can be read."""
+    None where it has none, or where what is called so is something else. Raises ModelError of a truss that cannot be
+    read."""
+    data = w.data
     members_key = next((key for key in data if folded(key) in _MEMBERS), None)
     places_key = next((key for key in data if folded(key) in _PLACES and _places(data.get(key))), None)
     if members_key is None or places_key is None or data.get("bodies"):
@@ -39,6 +47,8 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     members = _members(data[members_key], places)
     supports_key = next((key for key in data if folded(key) in _SUPPORTS), "supports")
     supports: Any = _by_node(data.get(supports_key) or {})
+    if folded(members_key) in _MEMBERS_ALONE or folded(places_key) in _NODES_ALONE:
+        _refuse(w, members_key, places, supports_key, supports)
     if members is None or not isinstance(supports, dict) or not cast("Entry", supports).keys() <= places.keys():
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
@@ -46,7 +56,7 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     moved: dict[Place, Place] = {("bodies", name): (places_key, k) for name, k in zip(places, steps, strict=True)}
     moved |= {("connections", name): (members_key, step) for name, (step, _first, _second) in members.items()}
     for node, said in cast("Entry", supports).items():
-        held = _support(node, said, space=space)
+        held = _support(node, said, space=w.space)
         if held is None or node in connections:
             return None
         connections[node] = held
@@ -60,6 +70,34 @@ def with_truss(data: Entry, *, space: bool) -> tuple[Entry, dict[Place, Place], 
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
 
 
+def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supports: Any) -> None:
+    """Raises ModelError where a member or a support is of no node, or a support is none."""
+    nodes = ", ".join(places)
+    problems: list[Problem] = []
+    given = w.data[members_key]
+    items = [*cast("Entry", given).items()] if isinstance(given, dict) else [*enumerate(given or [])]
+    for step, entry in items:
+        if _ends(entry, places) is None:
+            told = Message(
+                "{member} is no member between two of the nodes {nodes}: write it as [{first}, {second}]",
+                member=flow_text(entry),
+                nodes=nodes,
+                **dict(zip(("first", "second"), [*places, "A", "B"], strict=False)),
+            )
+            problems.append(Problem((members_key, step), told))
+    for node, said in cast("Entry", supports).items() if isinstance(supports, dict) else ():
+        if node not in places:
+            told = Message("there is no node {node}. Nodes: {nodes}", node=node, nodes=nodes)
+            problems.append(Problem((supports_key, node), told))
+        fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
+        word = fields.get("type")
+        if isinstance(word, str) and folded(word) not in (*_PINNED, *_ROLLER):
+            told = Message("a truss has no support {kind}: supports are pin and roller", kind=word)
+            problems.append(Problem((supports_key, node), told))
+    if problems:
+        raise ModelError(problems)
+
+
 def _by_node(supports: Any) -> Any:
     """`[{at: A, type: pin}]` as `{A: {type: pin}}`."""
     if not isinstance(supports, list):
@@ -67,7 +105,7 @@ def _by_node(supports: Any) -> Any:
     found: Entry = {}
     for item in cast("list[Any]", supports):
         fields = dict(cast("Entry", item)) if isinstance(item, dict) else {}
-        node = next((fields.pop(key) for key in ("at", "node", "point", "joint") if key in fields), None)
+        node = next((fields.pop(key) for key in _NODE if key in fields), None)
         if not isinstance(node, str) or node in found:
             return supports
         found[node] = fields
