@@ -100,3 +100,9 @@ def test_the_simulated_motion_tends_to_the_formula_as_the_drive_gets_small() -> 
 def test_a_drive_that_is_no_harmonic_term_is_still_refused() -> None:
     answer = posed(OBLIQUE.replace("a + U*cos(Omega*t)", "a + U*Omega*t"), "steady amplitude of x")
     assert "swing harmonically" in answer.reason
+
+
+def test_drives_with_two_frequencies_leave_no_factor_in_the_frequency() -> None:
+    two = OBLIQUE.replace("a + U*cos(Omega*t)", "a + U*sin(Omega*t) + U*sin(3*Omega*t)")
+    is_formula(two, "natural frequency", f"sqrt({K}/m)")
+    assert "swing harmonically" in posed(two, "steady amplitude of x").reason

@@ -29,7 +29,8 @@ def looked_at(setup: Setup) -> Setup:
     if swing_of(setup.model) is not None:
         return setup
     small = with_small_drives(setup.system)
-    return setup if small is None else Setup(small)
+    seen = setup if small is None else Setup(small)
+    return seen if seen is setup or (seen.has_model and swing_of(seen.model) is not None) else setup
 
 
 @singledispatch
