@@ -523,3 +523,15 @@ def test_the_critical_value_of_what_damps_nothing_is_not_that_of_damping(agrees:
     agrees(ask(FORCED, "critical value of c"), "q1", "2*sqrt(k*m)")
     with pytest.raises(fb.ModelError, match="k damps nothing, so say for what its value is critical"):
         ask(FORCED, "critical value of k")
+
+
+def test_loads_that_are_out_of_balance_everywhere_say_what_balance_takes() -> None:
+    gears = """
+parameters: {T: 2 N m, M: 5 N m, z1: 20, z2: 40, J: 1 g m^2, module: 2 mm}
+bodies: {a: {gear: {inertia: J}}, b: {gear: {inertia: J}}}
+connections: {mesh: {gear_mesh: {first: a, second: b, module: module, teeth: [z1, z2]}}}
+loads: {drive: {torque: {on: a, magnitude: T}}, brake: {torque: {on: b, magnitude: M}}}
+measures: {phi: angle of a}
+"""
+    reason = the(ask(gears, "equilibrium of phi")).reason
+    assert "in every pose or in none" in reason, reason

@@ -106,8 +106,8 @@ def _of_belt(names: Names, found: Found, path: Path) -> Quantity | None:
     connection = names.connections.get(of)
     with names.quietly():
         known = {} if connection is None else connection.transmitted(names)
-    if what == "greatest tension" and what not in known:
-        return extreme(names, {"end": "greatest", "of": f"tension of {of}"}, path)
+    if what in ("greatest tension", "greatest power") and what not in known:  # over the motion, as that of a drive
+        return extreme(names, {"end": "greatest", "of": f"{what.removeprefix('greatest ')} of {of}"}, path)
     if not has_connection(names, of, path):
         return None
     if what not in known:

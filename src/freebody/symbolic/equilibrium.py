@@ -19,8 +19,8 @@ from dataclasses import dataclass, field, replace
 from itertools import islice, product
 
 from freebody.errors import CannotAnswer, FormulaTooLong
-from freebody.language.expression import Symbol
-from freebody.language.notation import to_text
+from freebody.language.expression import ZERO, Symbol
+from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.measures.geometry import Pose
@@ -37,6 +37,7 @@ from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import rooted_zeros, solve_linear, zeros_of
 from freebody.tolerances import ROUND_OFF
@@ -128,6 +129,7 @@ def equilibria(
         others = [r for values in _at_parameters(model, forces, start) if (r := _judged(model, values))]
     solutions = ([] if first is None else [first]) + others
     if not solutions:
+        _refuse_nowhere(model, forces)
         raise CannotAnswer(Message("no equilibrium could be found in closed form; start the model at one"))
     good = [s for s in solutions if s.is_stable is not False]
     nearest = min(good or solutions, key=lambda s: _distance(model, s.values, at_start))
@@ -135,6 +137,18 @@ def equilibria(
     for one, taken in zip(others, assumed, strict=False):
         model.samples.assumed += taken if one is meant else []
     return [meant, *(s for s in solutions if s is not meant)]
+
+
+def _refuse_nowhere(model: SymbolicModel, forces: Sequence[Ratio]) -> None:
+    """Raises CannotAnswer where loads are out of balance by the same amount in every pose, as those of a gear train."""
+    f = model.field
+    still = dict.fromkeys((c.speed for c in (*model.coordinates, *model.dependent)), f.zero)
+    for force in forces:
+        left = f.lowest_terms(f.follow(force, still))
+        if not left.is_zero() and not f.ingredients(left) & model.moving:
+            needed = compared(tidy(left.numerator()), "=", ZERO)
+            told = Message("the loads balance in every pose or in none: that takes {x}", x=needed)
+            raise CannotAnswer(reworded(told, needed))
 
 
 def _at_zero(model: SymbolicModel, forces: Sequence[Ratio], start: StartState) -> list[dict[int, Ratio]]:

@@ -119,7 +119,7 @@ class ForcedOscillation:
     def phasor_of(self, x: Ratio) -> Phasor:
         """What an element swings by itself, all coordinates at rest. Raises CannotAnswer where it is not harmonic."""
         f = self.model.field
-        still = {g: value for g, value in self.linear.still.items() if g not in (self.swing.cos, self.swing.sin)}
+        still = {g: value for g, value in self.linear.still.items() if g not in self.swing.mean}
         resting = f.lowest_terms(f.follow(x, still))
         parts = self.swing.parts(resting)
         if parts is None or any(timed_in(self.model, p) for p in parts):

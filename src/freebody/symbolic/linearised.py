@@ -12,14 +12,15 @@ du_d = (dq_d/dq) du,
 At an equilibrium the speeds vanish, so that M, which multiplies accelerations, needs no derivative.
 
 Loads and drivers that swing harmonically leave an equilibrium of their mean, about which the motion is forced:
-F = F_0 + F_c cos(Omega t) + F_s sin(Omega t) has the mean F_0. Anything else that varies in time is taken as it is at
-t = 0. Source: Meirovitch, Elements of Vibration Analysis, 2nd ed. 1986, sec. 4.2 and 2.2.
+F = F_0 + F_c cos(Omega t) + F_s sin(Omega t) has the mean F_0. Drives that enter otherwise do so to the first order in
+their amplitude (`system/small_drives`). Anything else that varies in time is taken as it is at t = 0.
+Source: Meirovitch, Elements of Vibration Analysis, 2nd ed. 1986, sec. 4.2 and 2.2.
 """
 
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property
 
 from freebody.errors import CannotAnswer, FormulaTooLong
@@ -27,26 +28,43 @@ from freebody.language.sentences import Message
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.parameter_roots import slope
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.modes import depends_on_time
+from freebody.system.small_drives import SCALE
 
 Matrix = list[list[Ratio]]
 
 
 @dataclass(frozen=True)
 class Swing:
-    """cos(Omega t) and sin(Omega t) of what is harmonic in time: their generators, and Omega."""
+    """cos(Omega t) and sin(Omega t) of what is harmonic in time: their generators, and Omega. size: the generator that
+    scales drives of which only the first order counts."""
 
     cos: int
     sin: int
     frequency: Ratio
+    size: int | None = None
 
     def parts(self, x: Ratio) -> tuple[Ratio, Ratio, Ratio] | None:
         """The mean of an element and what multiplies the cosine and the sine; None where it is not linear in them."""
         f = x.field
+        if self.size is not None:
+            none = {self.size: f.zero}
+            by_size = slope(f, x, self.size)
+            if by_size is None:
+                return None
+            mean, swing = f.follow(x, none), f.lowest_terms(f.follow(by_size, none))
+            parts = replace(self, size=None).parts(swing)
+            return (mean, *parts[1:]) if parts is not None and parts[0].is_zero() else None
         mean, cos, sin = (f.substitute(x, self._at(x, c, s)) for c, s in ((0, 0), (1, 0), (0, 1)))
         cos, sin = cos - mean, sin - mean
         return (mean, cos, sin) if x == mean + cos * f.variable(self.cos) + sin * f.variable(self.sin) else None
+
+    @property
+    def mean(self) -> tuple[int, ...]:
+        """The generators that vanish where everything has its mean."""
+        return (self.cos, self.sin) if self.size is None else (self.size,)
 
     def _at(self, x: Ratio, c: int, s: int) -> dict[int, Ratio]:
         return {self.cos: x.field.element(c), self.sin: x.field.element(s)}
@@ -65,11 +83,14 @@ def swing_of(model: SymbolicModel) -> Swing | None:
         return None
     entries = [*model.dynamics.forcing_near_rest, *model.dynamics.parts_of_inertia]
     timed = set[int]().union(*(timed_in(model, x) for x in entries))
+    size = model.parameters.get(SCALE)
+    if size is not None:  # roots vary with the waves in them, and not by themselves
+        timed = {g for g in timed if f.generators[g].kind != "root"}
     pair = next((p for p in f.pairs(timed) if timed <= set(p)), None) if timed else None
     if pair is None:
         return None
     frequency = -f.rate(f.variable(pair[0])) / f.variable(pair[1])
-    found = Swing(*pair, frequency)
+    found = Swing(*pair, frequency, None if size is None else f.index(size))
     if not frequency.is_constant() or any(found.parts(x) is None for x in model.dynamics.forcing_near_rest):
         return None
     return found
@@ -80,7 +101,7 @@ def stand_still(model: SymbolicModel) -> dict[int, Ratio]:
     f, swing = model.field, swing_of(model)
     if swing is None:
         return {f.index(f.time): f.zero}
-    return {swing.cos: f.zero, swing.sin: f.zero}
+    return dict.fromkeys(swing.mean, f.zero)
 
 
 def vanishes_at_start(model: SymbolicModel, x: Ratio) -> bool:

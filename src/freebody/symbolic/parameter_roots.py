@@ -121,11 +121,17 @@ def _angles(field: Field, factor: Ratio, parameter: int, made: Sequence[int]) ->
 
 
 def slope(field: Field, x: Ratio, parameter: int) -> Ratio | None:
-    """The derivative of an element by a parameter, that of an angle in its sine and cosine as well; None where the
-    parameter stands in other functions."""
+    """The derivative of an element by a parameter, that of an angle in its sine and cosine as well, and in roots; None
+    where the parameter stands in other functions."""
     total = field.partial(x, parameter)
     for g in x.generators():
         if parameter not in field.generators[g].made_of:
+            continue
+        if field.generators[g].kind == "root":  # sqrt(r)' = r'/(2 sqrt(r))
+            inner = slope(field, field.radicand(g), parameter)
+            if inner is None:
+                return None
+            total = total + field.partial(x, g) * inner / (2 * field.variable(g))
             continue
         name, argument = field.arguments.get(g, ("", x))
         if name == "exp":

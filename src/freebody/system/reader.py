@@ -38,8 +38,17 @@ from freebody.system.reading.hanging import hang_what_is_struck
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.lying import tell_what_lies_level
+<<<<<<< HEAD
 from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
 from freebody.system.reading.misspelt import told_by_what_is_meant
+=======
+from freebody.system.reading.measures import (
+    add_place_of_the_only_body,
+    add_turned_at_start,
+    driven_from_zero,
+    read_measures,
+)
+>>>>>>> hS
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.sections import CLOSES
@@ -121,6 +130,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     feet = read_feet(names, connections)
     carried = [*names.states.values(), *feet.values()]
     held = [*held, *(row for it in carried for row in it.rows())]
+    names.started_at_zero |= driven_from_zero(measures, held)
     blows = gathered(closing, striking, later, list(impulses))
     contacts, limits, brakes = read_bounds(names, connections, closing)
     validities = read_validities(names, connections, loads)

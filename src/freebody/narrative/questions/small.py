@@ -39,6 +39,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import forced_oscillation
+from freebody.symbolic.linearised import swing_of
 from freebody.symbolic.small_motion import place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
@@ -280,6 +281,8 @@ def _(q: SteadyAmplitude) -> tuple[Measure, int] | None:
 def _forced(q: Forced, telling: SmallTelling) -> None:
     """The steady motion under harmonic loads."""
     script, context = telling.script, telling.context
+    if swing_of(telling.model) is None:  # answered as of drives of small amplitude
+        raise CannotAnswer(Message("of drives to which the forces are not proportional no derivation is written yet"))
     lines: tuple[int, ...] = telling.matrices(with_damping=True)
     forced = forced_oscillation(telling.model, telling.linear)
     w = tidy(forced.swing.frequency)

@@ -209,6 +209,11 @@ def stands_for_all(token: str) -> bool:
     return any(word == Word("pronoun", "system") for own in languages() for word, _ in phrases_at(token, 0, own))
 
 
+def is_left_out(token: str) -> bool:
+    """Whether a word alone says nothing in a language: the person."""
+    return any(word == Word("filler", "drop") for own in languages() for word, _ in phrases_at(token, 0, own))
+
+
 @cache
 def vocabulary(language: str) -> frozenset[str]:
     """All words of a language that are written in full."""

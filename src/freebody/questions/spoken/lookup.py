@@ -87,7 +87,15 @@ def ways(names: Names, body: str) -> list[str]:
     if body in names.measures:
         return [body] if body in names.started_at_zero else []
     lengths = [n for n, m in names.measures.items() if m.dimension != DIMENSIONLESS and n in names.started_at_zero]
-    return [n for n in lengths if not body or body in names.measures[n].bodies()]
+    return _its_own(names, [n for n in lengths if not body or body in names.measures[n].bodies()], body)
+
+
+def _its_own(names: Names, lengths: list[str], body: str) -> list[str]:
+    """Without those that only count from a body the way of another one, where others are of it: how far the person has
+    walked from the boat is no way of the boat."""
+    counted = {n for n in lengths if isinstance(m := names.measures[n], Displacement) and m.of.body != body}
+    own = [n for n in lengths if n not in counted]
+    return own if body in names.bodies and own else lengths
 
 
 def places(names: Names, body: str) -> list[str]:

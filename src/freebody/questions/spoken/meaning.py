@@ -122,6 +122,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     lasting = _as_long_as(said)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
+    if modal == {"may"}:  # from which height it may fall: a limit tells, which is mostly the greatest
+        lasting = [Word("ask", "for") if word == Word("ask", "from") else word for word in lasting]
     yield from turning_round.parameters(names, _as_large(lasting), meanings)
     if any(word == Word("ask", "steep") for word in lasting):  # how steep is of an angle
         yield from turning_round.parameters(names, lasting, meanings)

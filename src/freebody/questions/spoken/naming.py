@@ -24,6 +24,7 @@ from freebody.questions.spoken.lexicon import (
     ENGLISH,
     OPEN,
     is_in_language,
+    is_left_out,
     is_verb,
     kinds_apart,
     quantity_words,
@@ -300,6 +301,9 @@ def _readings(elements: Elements, tokens: Sequence[str], k: int) -> Iterator[tup
         return  # the lift at rest
     if seen and stands_for_all(tokens[k].lower()):
         return  # the machine, where a body is called so
+    is_other = tells_apart(tokens[k].lower(), ENGLISH)  # the first impact, where a domino is called first
+    if tokens[k] in elements.exact and around[0] == "the" and is_left_out(tokens[k]) and not is_other:
+        return  # the person, where something is called so, is not anybody
     is_article = tokens[k] == "a" and "".join(tokens[k + 2 : k + 3]).isalpha()  # a full turn, though a is a length
     is_word = tokens[k].isalpha() and tokens[k].islower() and (len(tokens[k]) > 1 or is_article)
     if not seen or is_word or tokens[k] not in elements.exact:

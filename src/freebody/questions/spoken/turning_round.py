@@ -361,6 +361,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
         others = []
     titles = [one for one, after in pairwise(head.words) if after.kind == "name" and after.what in named]
     asked = [w.what for w in head.words if w.kind == "quantity" and w not in titles]  # the sag f needs no other word
+    if asked == ["mass"] and head.has("ask", "high", "far") and head.has("verb"):  # how high the mass may fall
+        asked = []
     asked = asked or (asked_by if is_marked and not named else [])
     if head.has("ask", "up_to") and (not named or rest.has("verb", "stable")):
         end = end or "largest"

@@ -191,13 +191,17 @@ class FindingByKind:
     # -- small oscillations and equilibrium ---------------------------------------------------
     @_found.register(SmallOscillations)
     def _small(self, q: SmallOscillations) -> Finding:
+        from freebody.study.small_motion.ask import looked_at
+
+        self._look(looked_at(self.setup))
         with self.model.field.within(self._pairs):
             return about_rest.oscillations(self.setup, self.question, q)
 
     @_found.register(OfSmallMotion)
     def _of_small_motion(self, q: OfSmallMotion) -> Finding:
-        from freebody.study.small_motion.ask import find
+        from freebody.study.small_motion.ask import find, looked_at
 
+        self._look(looked_at(self.setup))
         return find(self.setup, self.question, partial(about_rest.needs_of_rest, self.setup))
 
     @_found.register(Equilibrium)

@@ -16,6 +16,7 @@ from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.event import QuestionEvent
+from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.reading import Question
@@ -43,8 +44,13 @@ from freebody.system.system import System
 _MOST_READ = 150  # operations of a frequency that is told in one piece where it has a chain
 
 
-def with_verdict(setup: Setup, q: Quantity, found: Answer) -> Answer:
-    """What numbers say of a question that asks whether, where there is no formula."""
+def with_verdict(setup: Setup, question: Question, found: Answer) -> Answer:
+    """What numbers say of a question that asks whether, where there is no formula, and of the sign of an extreme."""
+    q, event = question.quantity, question.event
+    if isinstance(q, ExtremeOfMotion) and event is not None and not found.is_missed and found.value is not None:
+        from freebody.study.answering.extremes_until import said_of_sign
+
+        return replace(found, notes=(*found.notes, *said_of_sign(setup, q, event)))
     if not isinstance(q, OfSmallMotion) or not setup.has_values or found.is_missed:
         return found
     from freebody.study.small_motion.numbers import said_of_numbers
@@ -68,7 +74,7 @@ class QuestionSolver(FindingAtEvents):
                 return answered(self.system, self.question, self._conserved)
             case _:
                 found = answered(self.system, self.question, self._smooth, self._number_instead, self._otherwise)
-                return found if found.is_complete else with_verdict(self.setup, self.question.quantity, found)
+                return found if found.is_complete else with_verdict(self.setup, self.question, found)
 
     def _smooth(self) -> Answer:
         try:

@@ -5,7 +5,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.present.lines import number_text
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import AskedEvent
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
@@ -17,8 +19,10 @@ from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked
 from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
+from freebody.study.steady.extremes import more_in_size
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.reached import Reached
+from freebody.tolerances import ROUND_OFF
 
 
 def find(
@@ -42,7 +46,20 @@ def find(
         missed = ", ".join(broken(setup, conditions))
         raise NotHere(Message("it is not largest or least there at the model's own values: that needs {x}", x=missed))
     note = seen.where(Message("largest") if q.side > 0 else Message("least"), chosen)
-    return Finding(value, evidence, conditions, [note, *reached.notes], list(reached.says))
+    notes = [note, *said_of_sign(setup, q, event), *reached.notes]
+    return Finding(value, evidence, conditions, notes, list(reached.says))
+
+
+def said_of_sign(setup: Setup, q: ExtremeOfMotion, event: AskedEvent) -> tuple[str, ...]:
+    """How large that gets which is never positive at the given numbers: its greatest value has the least size."""
+    if q.side < 0 or not setup.has_values:
+        return ()
+    try:
+        low, high = _extremes_in_numbers(setup, setup.draws[0], q, event)
+    except CannotAnswer:
+        return ()
+    is_turned = high <= ROUND_OFF * abs(low) and low < 0
+    return (more_in_size(f"{number_text(-low)} {q.unit}".rstrip()),) if is_turned else ()
 
 
 def extreme_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: AskedEvent) -> float:

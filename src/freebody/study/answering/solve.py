@@ -394,7 +394,7 @@ def _in_numbers(setup: Setup, questions: Sequence[Question], reason: str) -> Sol
             why_not = str(error)
         except (ArithmeticError, ValueError):
             pass
-        answers.append(with_verdict(setup, q.quantity, refused(q, why_not, value)))
+        answers.append(with_verdict(setup, q, refused(q, why_not, value)))
     return Solution(system, dof, independent_measures(setup, dof), (), (), tuple(answers))
 
 

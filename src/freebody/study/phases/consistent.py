@@ -27,6 +27,7 @@ from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.together import slipping_together
 from freebody.study.phases.words import at_border
+from freebody.symbolic.conditions import closed as while_closed
 from freebody.symbolic.field import Ratio
 from freebody.system.modes import ContactMode
 
@@ -118,7 +119,9 @@ def checks(phase: Phase, instant: PhaseStart) -> Iterator[Inequality]:
             if watch.name not in instant.acting:
                 yield _leaves_its_border(phase, watch)
         elif watch.kind == "opens":
-            yield _at_first(phase, watch.element), ">=", Message("{contact} keeps touching", contact=watch.connection)
+            row = next((row for row in phase.base.rows if row.name == watch.name), None)
+            reaction = "normal force" if row is None or row.reaction != "tension" else row.reaction
+            yield _at_first(phase, watch.element), ">=", while_closed(watch.connection, reaction)
         elif watch.kind == "slips":
             yield here(watch.element), ">=", Message("{contact} does not slip", contact=watch.connection)
         elif watch.kind in ("changes sign", "is left"):

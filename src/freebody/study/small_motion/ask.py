@@ -13,12 +13,24 @@ from freebody.questions.small_motion import Damping, EquilibriumStability, ModeS
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest
+from freebody.symbolic.linearised import swing_of
+from freebody.system.small_drives import with_small_drives
 
 
 def find(setup: Setup, question: Question, at_rest: AtRest) -> Finding:
     """The closed form with its evidence. at_rest: what an equilibrium needs. Raises CannotAnswer with the reason where
     there is none."""
     return _find(question.quantity, setup, question, at_rest)
+
+
+def looked_at(setup: Setup) -> Setup:
+    """The system as questions about small motion look at it: where drives swing to which the forces are not
+    proportional, as one that they shake a little."""
+    if swing_of(setup.model) is not None:
+        return setup
+    small = with_small_drives(setup.system)
+    seen = setup if small is None else Setup(small)
+    return seen if seen is setup or (seen.has_model and swing_of(seen.model) is not None) else setup
 
 
 @singledispatch

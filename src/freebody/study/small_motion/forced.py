@@ -45,6 +45,9 @@ NO_DEFLECTION = Message(
     "the excitation vanishes with its frequency, so there is no deflection to compare with; ask for the steady "
     "amplitude, or for the transmissibility"
 )
+SMALL = Message(
+    "the forces are not proportional to what is driven: this is the motion to the first order in its amplitude"
+)
 _VERTICES = 12  # steps to a maximum in numbers, each the square of the last
 _SLOW = 1e-5  # of the frequencies: their squares are below the tolerance
 _APART = 1e-3  # of the frequency: where amplitudes beside a maximum are read
@@ -90,6 +93,8 @@ class _Forced:
         self.conditions = [*at_rest(self.rest, ">"), *(replace(c, purpose=Message("stable")) for c in self.rest.stable)]
         self.conditions += self._dissipates()
         self.notes: list[str] = []
+        if self.forced.swing.size is not None:
+            self.notes.append(SMALL)
         if not self.linear.is_damped:
             self.notes.append(
                 Message("without damping free oscillations do not die away: this is the forced part of the motion")

@@ -5,7 +5,10 @@ With z the coordinates as measures, their accelerations a(z, z', t) by the full 
     a_c - i a_s = a(z_e, 0, 0) - a_m - i (a(z_e, 0, T/4) - a_m),        a_m = (a(z_e, 0, 0) + a(z_e, 0, T/2))/2,
     (-Omega^2 - da/dz - i Omega da/dz') Z = a_c - i a_s,
 
-slopes by central differences, their mean over the same instants; a quantity swings by the same expansion.
+slopes by central differences, their mean over the same instants; a quantity swings by the same expansion. Where only
+the first order in the size s of drives counts (`system/small_drives`), what is odd in them swings, but for s^2:
+
+    s (a_c - i a_s) = (a(0) - a(T/2) - i (a(T/4) - a(3T/4)))/2.
 """
 
 from __future__ import annotations
@@ -25,6 +28,7 @@ from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.draws import Draw
+from freebody.system.small_drives import SCALE
 from freebody.system.system import System
 
 _STEP = 1e-4  # rad, m, and by Omega of rates
@@ -64,8 +68,9 @@ class ForcedNumbers:
         zero: Array = np.zeros(n)
         start, quarter, half, last = (read(self.seen(self.rest, zero, phase)) for phase in (0.0, 0.25, 0.5, 0.75))
         mean = (start + half) / 2.0
+        size = self.draw.values.get(SCALE)
         sizes = np.abs(start) + np.abs(quarter) + np.abs(half) + np.abs(last)
-        if np.any(np.abs(quarter + last - 2.0 * mean) > _HARMONIC * np.maximum(sizes, 1.0)):
+        if size is None and np.any(np.abs(quarter + last - 2.0 * mean) > _HARMONIC * np.maximum(sizes, 1.0)):
             raise CannotAnswer(Message("it does not swing harmonically about the equilibrium"))
         columns: list[Complex] = []
         for k in range(n):
@@ -73,7 +78,10 @@ class ForcedNumbers:
             e[k] = _STEP
             slopes = [self._slope(read, z, u) for z, u in ((e, zero), (zero, w * e))]
             columns.append(slopes[0] + 1j * slopes[1])
-        return mean, (start - mean) - 1j * (quarter - mean), np.array(columns).T
+        own = (start - mean) - 1j * (quarter - mean)
+        if size is not None:
+            own = ((start - half) - 1j * (quarter - last)) / (2.0 * size)
+        return mean, own, np.array(columns).T
 
     def _slope(self, read: Callable[[Snapshot], Array], z: Array, u: Array) -> Array:
         """By a step _STEP, the mean of two instants half a period apart."""

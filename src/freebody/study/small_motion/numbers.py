@@ -18,6 +18,7 @@ from freebody.questions.small_motion import Damping, EquilibriumStability, ModeS
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
+from freebody.study.small_motion.ask import looked_at
 from freebody.study.small_motion.damping import damped_values
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.small_motion.forced import forced_number
@@ -48,7 +49,8 @@ def _number(q: Quantity, setup: Setup, draw: Draw) -> Numbers:
 
 @_number.register(Forced)
 def _forced(q: Forced, setup: Setup, draw: Draw) -> Numbers:
-    return forced_number(setup, Question("it", "", q), draw)
+    seen = looked_at(setup)
+    return forced_number(seen, Question("it", "", q), draw if seen is setup else seen.draws[0])
 
 
 @_number.register(Damping)

@@ -36,6 +36,7 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.linearised import Swing
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.reduced import odd_part
 from freebody.symbolic.signs import Sign, sign_of, times
@@ -178,7 +179,20 @@ def told(search: ExtremaSearch, q: Extremes, least: Extremum, largest: Extremum)
 def _kept(setup: Setup, turning: TurningAngle) -> list[Condition]:
     """Conditions of the model that are not settled for the whole turn."""
     holding = setup.holding(setup.state)
-    return [k for k in holding if k.purpose != "as at the start" or not turning.occurs_in(k.element)]
+    kept = [k for k in holding if k.purpose != "as at the start" or not turning.occurs_in(k.element)]
+    return [_at_every_phase(turning, k) for k in kept] if isinstance(turning, Phase) else kept
+
+
+def _at_every_phase(phase: Phase, c: Condition) -> Condition:
+    """What an inequality takes all round, where it is linear in the waves: a + b cos + c sin is nowhere less than
+    a - sqrt(b^2 + c^2)."""
+    f = phase.field
+    parts = Swing(phase.cos, phase.sin, phase.rate).parts(c.element)
+    if parts is None or c.relation not in (">", ">="):
+        return c
+    mean, cos, sin = parts
+    size = f.sqrt(f.lowest_terms(cos * cos + sin * sin), phase.model.samples.is_negative)
+    return replace(c, element=f.lowest_terms(mean - size))
 
 
 def angle_of(model: SymbolicModel, q: Extremes, x: Ratio) -> Coordinate:

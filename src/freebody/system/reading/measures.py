@@ -6,8 +6,9 @@ import re
 from collections.abc import Iterable, Iterator, Mapping, Sequence
 from typing import Any, cast
 
-from freebody.language.expression import ZERO, add, negate
+from freebody.language.expression import ZERO, add, negate, substitute
 from freebody.language.sentences import Message
+from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND
@@ -86,6 +87,14 @@ def add_place_of_the_only_body(
         found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
     if len(found) == 1 and not found.keys() & names.parameters.keys():
         names.measures = {**names.measures, **found}
+
+
+def driven_from_zero(measures: Mapping[str, Measure], rows: Iterable[ConstraintRow]) -> set[str]:
+    """Names of lengths that a driver leads from zero on: how far something has come."""
+    begun = {
+        row.measure: substitute(row.target, {"t": ZERO}) for row in rows if row.is_driven and row.target is not None
+    }
+    return {name for name, measure in measures.items() if measure.dimension == LENGTH and begun.get(measure) == ZERO}
 
 
 def add_turned_at_start(names: Names) -> None:
