@@ -44,6 +44,8 @@ GENERAL = ""
 TABLE = "phrase"  # of a file of words
 MESSAGES = "message"
 REACTION = "reaction"  # a table that names what a row transmits
+POINT = "place"  # a table of points of bodies
+_CASES = ("nominative", "accusative", "at")  # tables of the same with their article, for where they are told in parts
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
@@ -106,7 +108,7 @@ class Phrases:
         key = (text, kind)
         if key not in self._known:
             found = self._find(text, kind)
-            self._known[key] = found.replace("_", " ") if found and kind == "place" else found
+            self._known[key] = found.replace("_", " ") if found and kind in (POINT, *_CASES) else found
         return self._known[key]
 
     def _told(self, message: Message, kind: str) -> str | None:
@@ -126,7 +128,7 @@ class Phrases:
         if not isinstance(text, Message) and _SYMBOL.fullmatch(text):
             return [Shown(text, Symbol(text))]
         if not isinstance(text, Message):
-            return [self.said(text, kind) or (self.said(text, "place") if _POINT.fullmatch(text) else None) or text]
+            return [self.said(text, kind) or (self.said(text, POINT) if _POINT.fullmatch(text) else None) or text]
         own = self._template(text, kind)
         found: list[str] = []
         for literal, name, form, _conversion in Formatter().parse(own):
@@ -164,6 +166,8 @@ class Phrases:
         """What is said in a place."""
         match kind:
             case "" | "name" | "most":
+                return inside
+            case _ if kind in _CASES:  # a point is said where it is told in parts, else it stays as it is written
                 return inside
             case "words":
                 return self.said(inside) or inside

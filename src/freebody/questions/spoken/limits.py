@@ -105,7 +105,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
 
 
 def _how_heavy(names: Names, words: list[Word]) -> list[Word]:
-    """How much load, what mass, can be held with the force F: how heavy it may be, where the force is as it is given."""
+    """How much load can be held with the force F: how heavy it may be, where the force is as it is given."""
     plain = [word for word in words if word.kind != "filler"]
     asks, of = (plain[0], plain[1]) if len(plain) > 1 else (Word("", ""), Word("", ""))
     if asks in (Word("ask", "much"), Word("ask", "what"), _HEAVY):
