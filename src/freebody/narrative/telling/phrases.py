@@ -53,6 +53,8 @@ _GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
 _SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
 _POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
+_CALCULATED = re.compile(r"(?P<before>(?:[\w.]+ ?(?:[*/]|[-+] ) ?)?)[(|]")
+_CALCULATED_ON = re.compile(r"(?P<sign>(?:\^\d+)? ?[-+*/] ?)(?P<rest>.+)|(?P<power>(?:\^\d+)?)")
 
 
 @dataclass(frozen=True)
@@ -151,7 +153,7 @@ class Phrases:
         return self._inside(value, form) if isinstance(value, str) else format(value, form).replace(".", self.decimal)
 
     def _find(self, text: str, kind: str) -> str | None:
-        if kind == GENERAL and (several := self._listed(text, strict=True)) is not None:
+        if kind == GENERAL and (several := self._listed(text, strict=True) or self._computed(text)) is not None:
             return several
         for pattern, phrase in self._compiled.get(kind, ()):
             found = pattern.fullmatch(text) if phrase.longest in text else None
@@ -161,6 +163,20 @@ class Phrases:
                 if (said := phrase.text.format_map(inside)) != text:
                     return said
         return None
+
+    def _computed(self, text: str) -> str | None:
+        """A calculation with quantities in brackets, each looked up: (work of motor until ...) / (2*pi)."""
+        begin = _CALCULATED.match(text)
+        if begin is None:
+            return None
+        opened = begin.end() - 1
+        shut = _end_of_bracket(text, opened)
+        after = None if shut is None else _CALCULATED_ON.fullmatch(text, shut + 1)
+        if shut is None or after is None:
+            return None
+        inside, rest = text[opened + 1 : shut], after["rest"] or ""
+        said = f"{begin['before']}{text[opened]}{self.said(inside) or inside}{text[shut]}"
+        return f"{said}{after['sign'] or after['power']}{self.said(rest) or rest}"
 
     def _inside(self, inside: str, kind: str) -> str:
         """What is said in a place."""
@@ -211,6 +227,19 @@ class Phrases:
             return _OWN[kind]
         own = self.kinds.get(kind, ()) if kind else ()
         return "|".join(self._written(p.english, inside=True) for p in own) or _ANYTHING
+
+
+def _end_of_bracket(text: str, opened: int) -> int | None:
+    """Where the bracket ends that begins at a place."""
+    if text[opened] == "|":
+        found = text.find("|", opened + 1)
+        return None if found < 0 else found
+    depth = 0
+    for k in range(opened, len(text)):
+        depth += (text[k] == "(") - (text[k] == ")")
+        if depth == 0:
+            return k
+    return None
 
 
 @cache
