@@ -31,6 +31,7 @@ _ALONG = {"horizontal": {"right", "left"}, "vertical": {"up", "down"}}  # a forc
 _TO_LEVEL, _TILTED = Word("quantity", "angle to the horizontal"), "from level"
 _TILT = Word("part", _TILTED)
 _HEAVY = Word("ask", "heavy")
+_ALONG_SLOPE = {Word("part", "uphill"): Word("part", "upward"), Word("part", "downhill"): Word("part", "downward")}
 _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
@@ -38,6 +39,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     words = _how_heavy(names, words) if "may" in modal else words
+    words = [_ALONG_SLOPE.get(word, word) for word in words]
     if rubbing.is_still(names) or rubbing.is_carried(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
         words = [w for w in words if w.kind != "verb" or w.what not in light]
@@ -310,6 +312,8 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
         degree = "greatest" if _is_push(head) and pushes and "must" not in modal else ""
     if head.has("ask", "flat", "small"):  # how flat at most: the least
         degree = {"least": "greatest", "greatest": "least"}.get(degree, degree)
+    if "slide" in ends_rest and (state.has("part", "downward") or head.has("part", "downward")):
+        return "least" if degree == "least" and is_denied else "range" if not degree else ""
     if degree in ("least", "greatest"):
         if starts and "fall" in ends_rest and not is_denied and _is_push(head):
             return degree if degree == "least" else ""
