@@ -11,6 +11,7 @@ import math
 import pytest
 
 import freebody as fb
+from conftest import Agree
 from freebody.api import System
 from posed import is_formula, posed
 
@@ -101,3 +102,28 @@ def test_of_an_angle_that_only_turns_one_turn_is_meant() -> None:
     found = posed(TWO_LUMPS, "value of d for which size of reaction of B is least")
     assert found.expression is not None, found.reason
     assert found.value == pytest.approx(math.pi)
+
+
+CHIMNEY = """
+freebody: 1
+parameters: {m: 2000 kg, L: 20 m, s: 5 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {chimney: {rod: {mass: m, length: L}, points: {cut: [s - L/2, 0]}}}
+connections: {foot: {pin: [ground.O, chimney.start]}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of chimney from up clockwise}}
+start: {theta: 1 deg, rate(theta): 0}
+"""
+
+
+def test_a_falling_chimney_breaks_at_a_third_of_its_height(agrees: Agree) -> None:
+    """M = m g s (L - s)^2 sin(theta)/(4 L^2): dM/ds = 0 at s = L/3, and at s = L, behind which the section has left the
+    chimney."""
+    asked = [
+        "s for which bending moment of chimney at cut is greatest",
+        "greatest bending moment of chimney at cut over s",
+    ]
+    solution = fb.System.from_text(CHIMNEY).solve(asked)
+    agrees(solution, "q1", "L/3")
+    agrees(solution, "q2", "m*g*L*sin(theta)/27")
+    assert any("sin(θ) > 0" in condition for condition in solution["q1"].conditions)

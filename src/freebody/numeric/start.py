@@ -10,6 +10,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import replace
+from functools import partial
 
 import numpy as np
 
@@ -35,6 +36,7 @@ from freebody.numeric.placing import ACCEPTED, N_STEPS, TOLERANCE, Fit, PoseEqua
 from freebody.numeric.rotation import matrix, rotation_vector
 from freebody.numeric.senses import turned_over, turned_to_face
 from freebody.numeric.system import NumericSystem
+from freebody.numeric.unfolding import unfolded
 from freebody.tolerances import ROUND_OFF
 
 N_STARTS = 16
@@ -50,6 +52,13 @@ Wanted = Sequence[tuple[Measure | NonholonomicForm, float]]  # values that measu
 def assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int = N_STARTS) -> Fit:
     """The pose at t = 0 nearest to the guess; see `Reference.assemble`. Parts that nothing joins are assembled each for
     itself, so that what else stands in a model moves nothing in them."""
+    fit = _assembled(reference, extra, guess, n_starts)
+    if guess is not None:
+        return fit
+    return unfolded(reference, fit, _equations(reference, extra), partial(_stands, reference))
+
+
+def _assembled(reference: NumericSystem, extra: Wanted, guess: Array | None, n_starts: int) -> Fit:
     groups = reference.groups_joined_by(measure for measure, _value in extra)
     if len(groups) < 2:
         return _assembled_part(reference, extra, guess, n_starts)

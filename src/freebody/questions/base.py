@@ -15,6 +15,7 @@ from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar, Literal, Protocol, TypeVar
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import (
     ACCELERATION,
@@ -282,6 +283,10 @@ class Quantity:
     @property
     def remarks(self) -> tuple[Message, ...]:
         """What is to be said beside every answer."""
+        return ()
+
+    def meant_within(self, system: Described) -> tuple[tuple[Expr, Message], ...]:
+        """What is not negative where the quantity is meant, and how that is said: a section lies on its rod."""
         return ()
 
     def value(self, system: Described, state: State[Any]) -> Any:

@@ -115,7 +115,18 @@ questions: {it: bending moment of beam at beam.center}
     def remarks(self) -> tuple[Message, ...]:
         if not self.may_lie_beside:
             return ()
-        return (Message("the section lies between {body}.start and {body}.end", body=self.body),)
+        return (self._on_the_rod,)
+
+    @property
+    def _on_the_rod(self) -> Message:
+        return Message("the section lies between {body}.start and {body}.end", body=self.body)
+
+    def meant_within(self, system: Described) -> tuple[tuple[Expr, Message], ...]:
+        if not self.may_lie_beside:
+            return ()
+        rod = system.bodies[self.body]
+        ends = (rod.points["start"][0], self.offset), (self.offset, rod.points["end"][0])
+        return tuple((add(behind, negate(before)), self._on_the_rod) for before, behind in ends)
 
     def placed(self, system: Described, state: State[Any]) -> SectionForce:
         """With the order of this section and of all places at which something acts on the rod; the state tells it in

@@ -14,7 +14,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
-from freebody.questions.base import Wanted
+from freebody.questions.base import Quantity, Wanted
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
@@ -37,6 +37,7 @@ from freebody.symbolic.tidy import tidy
 
 _WAVES = {"acos": "cos", "asin": "sin", "atan": "tan"}
 _TWELFTHS = (2, 3, 4, 1, 5, 0)  # of pi: angles of the first quadrant
+_OF_INSTANTS = ("coordinate", "speed", "acceleration", "time")  # kinds of symbols
 _LINEARISED = 1e-5  # relative: what is found by a numerical linearisation
 _BESIDE = 0.02  # of the value: beside it the quantity is less
 
@@ -73,9 +74,9 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
         slopes.append(derivative_by(model, one.number, index) if depends else field.zero)
     if all(slope.is_zero() for slope in slopes):
         raise CannotAnswer(Message("that does not depend on {name}", name=wanted.parameter))
-    masses = _masses(setup, index)
+    meant = [*_masses(setup, index), *_places(setup, wanted, index)]
     cases = [
-        replace(one, element=slope, needed=[*one.needed, *masses]) for one, slope in zip(formulas, slopes, strict=True)
+        replace(one, element=slope, needed=[*one.needed, *meant]) for one, slope in zip(formulas, slopes, strict=True)
     ]
     monotone = _Monotone(
         *(
@@ -117,6 +118,13 @@ def _masses(setup: Setup, index: int) -> list[Condition]:
         if index in setup.model.field.ingredients(mass) and sign_of(mass) is Sign.UNKNOWN:
             found.append(Condition(mass, ">", Message("{body} has a mass", body=body.name)))
     return found
+
+
+def _places(setup: Setup, wanted: Wanted, index: int) -> list[Condition]:
+    """Where the quantity is meant: in the sections of its rod."""
+    inside = wanted.of.meant_within(setup.system) if isinstance(wanted.of, Quantity) else ()
+    elements = ((setup.state.scalar(expr), told) for expr, told in inside)
+    return [Condition(x, ">=", told) for x, told in elements if index in setup.model.field.ingredients(x)]
 
 
 def _plain(place: Ratio) -> Ratio:
@@ -164,7 +172,23 @@ def _conditions(setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, in
     field = setup.model.field
     needed = [replace(c, element=field.lowest_terms(field.follow(c.element, {index: place}))) for c in formula.needed]
     untrue = CannotAnswer(Message("the formula is not true where it would be largest or least"))
-    return insisted([*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed], untrue)
+    bends = _bends(setup, wanted, formula, place, index)
+    return insisted(
+        [*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed, *bends], untrue
+    )
+
+
+def _bends(setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, index: int) -> list[Condition]:
+    """Where what depends on the instant has its largest value there, and not its least: by its second derivative."""
+    field, model = setup.model.field, setup.model
+    assert isinstance(formula.element, Ratio)
+    if not any(field.generators[g].kind in _OF_INSTANTS for g in field.ingredients(formula.element)):
+        return []
+    second = derivative_by(model, derivative_by(model, formula.element, index), index)
+    second = field.lowest_terms(field.follow(second, {index: place}))
+    size = -second if wanted.end == "largest" else second
+    which = Message("largest there") if wanted.end == "largest" else Message("least there")
+    return [Condition(size, ">", which)] if sign_of(size) is Sign.UNKNOWN else []
 
 
 def _evidence(
@@ -188,10 +212,13 @@ def _evidence(
         values = draw.values | {wanted.parameter: value}
         made = PutBack(k, draw.with_values(values, setup.system), 1.0)
         if wanted.of.is_of_state:
-            return made, float(quantity_with(setup, question, wanted.of, formula, made))
+            return made, float(quantity_with(setup, at_start, wanted.of, formula, made))
         return made, as_parts(number_at(setup, wanted.of, question.event, made.draw))[0]
 
-    dimension = wanted.of.dimension
+    dimension, at_start = (
+        wanted.of.dimension,
+        question if question.event is not None else replace(question, at_start=True),
+    )
 
     def compare(item: tuple[int, Draw]) -> None:
         k, draw = item

@@ -4,25 +4,25 @@ Two bodies that are pinned to each other, and by another point each to what cann
 elbow: mirrored in the line through those points they fit as well. So does a rod that is pinned to what slides along a
 line, mirrored in the normal to that line through its other joint. Where the file says how all the rest stands, by a
 driver, by start values, or because nothing can move, and nothing of their pose, nothing decides between the two, and
-the signs of forces depend on it. Two bars of one length that lie on each other fit stretched as well, be anything free
-or not.
+the signs of forces depend on it. That one bar lies folded on the other is no pose to choose from (see `unfolding`).
 """
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from itertools import combinations, permutations
+from itertools import combinations
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, FreebodyError
+from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Point, position
 from freebody.measures.turned import points_in
-from freebody.model.elements import ConstraintRow, RigidBody
+from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Snapshot
 from freebody.numeric.start import assembled
+from freebody.numeric.unfolding import is_folded, is_told, joint_between
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
 
 _APART = 1e-3  # of the size of the system: less is the same pose
@@ -35,8 +35,7 @@ class ElbowOpen(WarningKind, name="elbow open"):
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         system = model.system
         told = {body for name in system.start for body in system.measures[name].bodies()}
-        yield from self._folded(model, told)
-        moving = [body for body in system.moving if body.name not in told and not _is_told(body)]
+        moving = [body for body in system.moving if body.name not in told and not is_told(body)]
         open_bodies = [body.name for body in moving if body.turns]
         if system.space or not open_bodies or model.free(model.start).shape[1] > len(system.start):
             return
@@ -45,7 +44,7 @@ class ElbowOpen(WarningKind, name="elbow open"):
         ]
         bars = [pair for pair in combinations(open_bodies, 2) if not {pair, pair[::-1]} & {*sliding}]
         for first, second in (*bars, *sliding):
-            elbow = _joint(system.constraint_rows, first, second)
+            elbow = joint_between(system.constraint_rows, first, second)
             other = None if elbow is None else self._other_side(model, (first, second), elbow)
             if elbow is None or other is None:
                 continue
@@ -62,45 +61,6 @@ class ElbowOpen(WarningKind, name="elbow open"):
                 other=_shown(_place(other, elbow), model),
             )
             yield self.warning(message, "bodies", first, about=frozenset({first, second}))
-
-    def _folded(self, model: Opened, told: set[str]) -> Iterator[ModelWarning]:
-        """Bars that lie on each other, although the second one fits turned round as well."""
-        system, start = model.system, model.start
-        bars = [] if system.space else [body for body in system.moving if body.turns]
-        for first, second in permutations(bars, 2):
-            if second.name in told or _is_told(second):
-                continue
-            elbow = _joint(system.constraint_rows, first.name, second.name)
-            pair = (first.name, second.name)
-            ends = [elbow and _other_joint(system.constraint_rows, b, elbow, start, model.close, pair) for b in pair]
-            if elbow is None or ends[0] is None or ends[1] is None:
-                continue
-            apart = float(np.linalg.norm(_place(start, ends[0]) - _place(start, ends[1])))
-            angle = float(start.q[list(model.reference.columns(second.name))[2]])
-            if apart < model.close and self._fits_stretched(model, second.name, angle + np.pi, elbow):
-                message = Message(
-                    "{second} lies folded back on {first}, and fits stretched as well. Say it with near: {{angle: "
-                    "{turn} deg}} in {second}, or with the angle at which it is stretched",
-                    first=first.name,
-                    second=second.name,
-                    turn=f"{np.degrees(angle) % 360.0:.0f}",
-                )
-                yield self.warning(message, "bodies", second.name, about=frozenset(pair))
-
-    def _fits_stretched(self, model: Opened, body: str, angle: float, elbow: Point) -> bool:
-        """Whether everything holds with a bar at an angle, and its elbow stays where it is."""
-        from freebody.study.pictures.instant import start_of
-        from freebody.system.system import System
-
-        near = {"angle": f"{np.degrees(angle):.6f} deg"}
-        try:
-            turned = System.from_document(model.system.document.with_value(("bodies", body, "near"), near))
-            there = start_of(turned, at_rest=True).snapshot
-        except FreebodyError:
-            return False
-        turn = float(there.q[list(model.reference.columns(body))[2]])
-        moved = float(np.linalg.norm(_place(there, elbow) - _place(model.start, elbow)))
-        return abs(turn - angle) < _APART and moved < model.close
 
     def _other_side(self, model: Opened, pair: tuple[str, str], elbow: Point) -> Snapshot | None:
         """The pose in which both bodies are on the other side of the line that is found for them, if all holds there
@@ -130,7 +90,7 @@ class ElbowOpen(WarningKind, name="elbow open"):
         moved = {k for body in pair for k in reference.columns(body)}
         still = [k for k in range(len(fit.q)) if k not in moved]
         apart = _APART * reference.sizes.length
-        is_other = float(np.linalg.norm(_place(there, elbow) - at)) > apart
+        is_other = float(np.linalg.norm(_place(there, elbow) - at)) > apart and not is_folded(reference, fit.q)
         return there if is_other and float(np.abs(fit.q[still] - start.q[still]).max(initial=0.0)) < apart else None
 
     def _mirror(self, model: Opened, pair: tuple[str, str], elbow: Point) -> tuple[Array, Array, str] | None:
@@ -163,21 +123,6 @@ def _way(model: Opened, body: str, without: str) -> Array | None:
         return None
     way = directions[-1][:2]
     return way / float(np.linalg.norm(way))
-
-
-def _is_told(body: RigidBody) -> bool:
-    """Whether the file says something of its pose."""
-    own = body.start
-    return own.at is not None or own.angle is not None or own.near is not None
-
-
-def _joint(rows: Sequence[ConstraintRow], first: str, second: str) -> Point | None:
-    """The point of the first body at which it is pinned to the second."""
-    for row in rows:
-        points = list(points_in(row.measure))
-        if row.reaction.startswith("force") and {p.body for p in points} == {first, second}:
-            return next(p for p in points if p.body == first)
-    return None
 
 
 def _other_joint(
