@@ -14,6 +14,7 @@ import pytest
 import freebody as fb
 from command import freebody
 from examples_told import EXAMPLES, FOLDER, solved
+from freebody.language.sentences import Sentence
 from freebody.narrative import words
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import ExerciseStatement
@@ -112,6 +113,14 @@ def test_a_phrase_is_the_one_that_fits_its_own_pattern() -> None:
 )
 def test_how_a_question_is_understood_is_told_in_german(understood: str, in_german: str) -> None:
     assert phrases_of("de").said(understood) == in_german
+
+
+def test_what_is_said_of_a_point_begins_with_its_article() -> None:
+    told = german.plain(Sentence("balance.angular", {"bodies": ("ladder",), "point": "@ladder"}))
+    at_end = german.plain(Sentence("point.named", {"point": "ladder.end"}))
+    assert told.startswith("Momente an ladder um ") and at_end == "das Ende von ladder"
+    assert german.plain(Sentence("point.named", {"point": "left.center"})) == "den Mittelpunkt von left"
+    assert german.plain(Sentence("phases.until_is_reached", {"connection": "@x turns back"})) == "x umkehrt"
 
 
 def test_kinds_of_places_have_phrases() -> None:

@@ -2,9 +2,9 @@
 
 One file per language (`words/en.toml`), or several; a key that a language lacks is said in English. A place {name} is
 filled with what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines},
-{given}), a word of the catalogue, or another sentence. {name:accusative} asks for a point of a body in that case, which
-is a table of its own. Where a key with `_one` exists it is taken for a list with one
-member.
+{given}), a word of the catalogue, or another sentence. {name:accusative} asks for a point of a body in that case, and
+{name:holds} for what is said of a motion as a clause: tables of their own. Where a key with `_one` exists it is taken
+for a list with one member.
 Sentences that the layers below hand over ready-made are looked up among the phrases of the language (`phrases.py`).
 """
 
@@ -179,8 +179,8 @@ class Catalogue:
                 return [Reference(value, "figure")]
             return [Reference(value)] if name in REFERENCES else [str(value)]
         if value.startswith("@"):
-            return [self._worded(value[1:], name)]
-        said = self.said(value, name)
+            return [self._worded(value[1:], name, case)]
+        said = self._clause(value, case) or self.said(value, name)
         return [said if said != value else self.name(value, case)] if value else []
 
     def name(self, name: str, case: str = POINT) -> Piece:
@@ -192,14 +192,18 @@ class Catalogue:
             return said
         return Formula((Symbol(name),)) if SYMBOL.fullmatch(name) else Emphasis(name.replace("_", " "), "name")
 
-    def _worded(self, text: str, place: str) -> str:
+    def _clause(self, text: str, case: str) -> str | None:
+        """What is said of a motion, as the table that a place asks for has it."""
+        return self._phrases.said(text, case) if case != POINT and " " in text else None
+
+    def _worded(self, text: str, place: str, case: str = POINT) -> str:
         """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
         is_key = _KEY.fullmatch(text) is not None
         key = text.replace("_", " ") if is_key else text
         found = self._words.get(key) or self._english.get(key)
         if found is not None:
             return found
-        return key.partition(".")[2] if is_key else self.said(text, place)
+        return key.partition(".")[2] if is_key else self._clause(text, case) or self.said(text, place)
 
     def _listed(self, parts: list[list[Piece]], between: str = "") -> list[Piece]:
         """a, b and c; a; b; c"""
