@@ -118,7 +118,8 @@ def test_how_a_question_is_understood_is_told_in_german(understood: str, in_germ
 def test_what_is_said_of_a_point_begins_with_its_article() -> None:
     told = german.plain(Sentence("balance.angular", {"bodies": ("ladder",), "point": "@ladder"}))
     at_end = german.plain(Sentence("point.named", {"point": "ladder.end"}))
-    assert told.startswith("Momente an ladder um ") and at_end == "das Ende von ladder"
+    assert told.startswith("Momente an ladder um ")
+    assert at_end == "das Ende von ladder"
     assert german.plain(Sentence("point.named", {"point": "left.center"})) == "den Mittelpunkt von left"
     assert german.plain(Sentence("phases.until_is_reached", {"connection": "@x turns back"})) == "x umkehrt"
 
