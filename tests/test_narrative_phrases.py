@@ -14,6 +14,7 @@ import pytest
 import freebody as fb
 from command import freebody
 from examples_told import EXAMPLES, FOLDER, solved
+from freebody.language.sentences import Sentence
 from freebody.narrative import words
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import ExerciseStatement
@@ -92,10 +93,35 @@ def test_a_phrase_is_the_one_that_fits_its_own_pattern() -> None:
             "least h so that tension of track >= 0 when theta = 180 deg",
             "kleinstes h mit Zugkraft von track ≥ 0 bei theta = 180 deg",
         ),
+        (
+            "(work of motor until theta has moved 2*pi) / (2*pi)",
+            "(Arbeit von motor, bis sich theta um 2*pi bewegt hat) / (2*pi)",
+        ),
+        (
+            "1 - (kinetic energy when block stops)/(kinetic energy at start)",
+            "1 - (kinetische Energie beim Stillstand von block)/(kinetische Energie am Anfang)",
+        ),
+        ("(force in spring)^2 / (2*k) when y = 0.6 m", "(Kraft in spring)^2 / (2*k) bei y = 0.6 m"),
+        ("average power of motor until z = 5 m", "mittlere Leistung von motor bis z = 5 m"),
+        ("time when velocity of phi = 1/2 of its final value", "Zeitpunkt: Geschwindigkeit von phi = 1/2 des Endwerts"),
+        ("whether ball leaves dome", "ob sich ball von dome löst"),
+        ("whether x never turns back", "ob x nie umkehrt"),
+        ("range of v for which theta reaches 30 deg", "Bereich von v, in dem theta den Wert 30 deg erreicht"),
+        ("least F so that rope stays taut", "kleinstes F, bei dem rope straff bleibt"),
+        ("speed of ball after the 10th impact", "Betrag der Geschwindigkeit von ball nach dem 10. Stoß"),
     ],
 )
 def test_how_a_question_is_understood_is_told_in_german(understood: str, in_german: str) -> None:
     assert phrases_of("de").said(understood) == in_german
+
+
+def test_what_is_said_of_a_point_begins_with_its_article() -> None:
+    told = german.plain(Sentence("balance.angular", {"bodies": ("ladder",), "point": "@ladder"}))
+    at_end = german.plain(Sentence("point.named", {"point": "ladder.end"}))
+    assert told.startswith("Momente an ladder um ")
+    assert at_end == "das Ende von ladder"
+    assert german.plain(Sentence("point.named", {"point": "left.center"})) == "den Mittelpunkt von left"
+    assert german.plain(Sentence("phases.until_is_reached", {"connection": "@x turns back"})) == "x umkehrt"
 
 
 def test_kinds_of_places_have_phrases() -> None:

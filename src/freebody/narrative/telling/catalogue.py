@@ -2,8 +2,9 @@
 
 One file per language (`words/en.toml`), or several; a key that a language lacks is said in English. A place {name} is
 filled with what a sentence names: a name of the model, a formula, a number, a reference to a line ({line}, {lines},
-{given}), a word of the catalogue, or another sentence. Where a key with `_one` exists it is taken for a list with one
-member.
+{given}), a word of the catalogue, or another sentence. {name:accusative} asks for a point of a body in that case, and
+{name:holds} for what is said of a motion as a clause: tables of their own. Where a key with `_one` exists it is taken
+for a list with one member.
 Sentences that the layers below hand over ready-made are looked up among the phrases of the language (`phrases.py`).
 """
 
@@ -25,13 +26,18 @@ from freebody.messages import Shown
 from freebody.model.noting import did_you_mean
 from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
 from freebody.narrative.telling.dollars import formula_of, with_rates
-from freebody.narrative.telling.phrases import GENERAL, MESSAGES, TABLE, phrases_of
+from freebody.narrative.telling.phrases import GENERAL, MESSAGES, POINT, TABLE, phrases_of
 from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Relation, Text
 from freebody.present.report.words import ENGLISH
 
+<<<<<<< HEAD
 _KEY = re.compile(r"(reaction|joint|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)\}")
+=======
+_KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
+_PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
+>>>>>>> hD
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
 SYMBOL = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(LETTER_OF, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")
@@ -76,7 +82,7 @@ class Catalogue:
         template, end = self.template(key), 0
         for found in _PLACE.finditer(template):
             pieces += _with_formulas(template[end : found.start()])
-            pieces += self._filled(found[1], sentence.args.get(found[1], ""))
+            pieces += self._filled(found[1], sentence.args.get(found[1], ""), found[2] or POINT)
             end = found.end()
         pieces += _with_formulas(template[end:])
         kept = [one for p in pieces if p != "" for one in (with_rates(p) if isinstance(p, str) else [p])]
@@ -164,9 +170,9 @@ class Catalogue:
         """The words of an option, which may be a single one."""
         return self._phrases.said(text, "answer") or self.said(text)
 
-    def _filled(self, name: str, value: Argument) -> list[Piece]:
+    def _filled(self, name: str, value: Argument, case: str = POINT) -> list[Piece]:
         if isinstance(value, tuple):
-            return self._listed([self._filled(name, v) for v in value], "; " if name == "cases" else "")
+            return self._listed([self._filled(name, v, case) for v in value], "; " if name == "cases" else "")
         if isinstance(value, Sentence):
             return list(self.tell(value))
         if isinstance(value, _EXPRESSIONS):
@@ -178,26 +184,31 @@ class Catalogue:
                 return [Reference(value, "figure")]
             return [Reference(value)] if name in REFERENCES else [str(value)]
         if value.startswith("@"):
-            return [self._worded(value[1:], name)]
-        said = self.said(value, name)
-        return [said if said != value else self.name(value)] if value else []
+            return [self._worded(value[1:], name, case)]
+        said = self._clause(value, case) or self.said(value, name)
+        return [said if said != value else self.name(value, case)] if value else []
 
-    def name(self, name: str) -> Piece:
-        """A name of the model: a letter with an index is a symbol, a point is said of what it belongs to."""
+    def name(self, name: str, case: str = POINT) -> Piece:
+        """A name of the model: a letter with an index is a symbol, a point is said of what it belongs to. case: the
+        table of points from which it is taken, where the language has it."""
         if " " in name:  # words of a user's own
             return name
-        if "." in name and (said := self._phrases.said(name, "place")) is not None:
+        if "." in name and (said := self._phrases.said(name, case) or self._phrases.said(name, POINT)) is not None:
             return said
         return Formula((Symbol(name),)) if SYMBOL.fullmatch(name) else Emphasis(name.replace("_", " "), "name")
 
-    def _worded(self, text: str, place: str) -> str:
+    def _clause(self, text: str, case: str) -> str | None:
+        """What is said of a motion, as the table that a place asks for has it."""
+        return self._phrases.said(text, case) if case != POINT and " " in text else None
+
+    def _worded(self, text: str, place: str, case: str = POINT) -> str:
         """A word of the catalogue; a key that it lacks says its last part; anything else is a ready-made sentence."""
         is_key = _KEY.fullmatch(text) is not None
         key = text.replace("_", " ") if is_key else text
         found = self._words.get(key) or self._english.get(key)
         if found is not None:
             return found
-        return key.partition(".")[2] if is_key else self.said(text, place)
+        return key.partition(".")[2] if is_key else self._clause(text, case) or self.said(text, place)
 
     def _listed(self, parts: list[list[Piece]], between: str = "") -> list[Piece]:
         """a, b and c; a; b; c"""

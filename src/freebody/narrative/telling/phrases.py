@@ -44,6 +44,8 @@ GENERAL = ""
 TABLE = "phrase"  # of a file of words
 MESSAGES = "message"
 REACTION = "reaction"  # a table that names what a row transmits
+POINT = "place"  # a table of points of bodies
+_CASES = ("nominative", "accusative", "at")  # tables of the same with their article, for where they are told in parts
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
 _OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
@@ -51,6 +53,8 @@ _GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
 _SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
 _POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
+_CALCULATED = re.compile(r"(?P<before>(?:[\w.]+ ?(?:[*/]|[-+] ) ?)?)[(|]")
+_CALCULATED_ON = re.compile(r"(?P<sign>(?:\^\d+)? ?[-+*/] ?)(?P<rest>.+)|(?P<power>(?:\^\d+)?)")
 
 
 @dataclass(frozen=True)
@@ -106,7 +110,7 @@ class Phrases:
         key = (text, kind)
         if key not in self._known:
             found = self._find(text, kind)
-            self._known[key] = found.replace("_", " ") if found and kind == "place" else found
+            self._known[key] = found.replace("_", " ") if found and kind in (POINT, *_CASES) else found
         return self._known[key]
 
     def _told(self, message: Message, kind: str) -> str | None:
@@ -126,7 +130,7 @@ class Phrases:
         if not isinstance(text, Message) and _SYMBOL.fullmatch(text):
             return [Shown(text, Symbol(text))]
         if not isinstance(text, Message):
-            return [self.said(text, kind) or (self.said(text, "place") if _POINT.fullmatch(text) else None) or text]
+            return [self.said(text, kind) or (self.said(text, POINT) if _POINT.fullmatch(text) else None) or text]
         own = self._template(text, kind)
         found: list[str] = []
         for literal, name, form, _conversion in Formatter().parse(own):
@@ -149,7 +153,7 @@ class Phrases:
         return self._inside(value, form) if isinstance(value, str) else format(value, form).replace(".", self.decimal)
 
     def _find(self, text: str, kind: str) -> str | None:
-        if kind == GENERAL and (several := self._listed(text, strict=True)) is not None:
+        if kind == GENERAL and (several := self._listed(text, strict=True) or self._computed(text)) is not None:
             return several
         for pattern, phrase in self._compiled.get(kind, ()):
             found = pattern.fullmatch(text) if phrase.longest in text else None
@@ -160,10 +164,26 @@ class Phrases:
                     return said
         return None
 
+    def _computed(self, text: str) -> str | None:
+        """A calculation with quantities in brackets, each looked up: (work of motor until ...) / (2*pi)."""
+        begin = _CALCULATED.match(text)
+        if begin is None:
+            return None
+        opened = begin.end() - 1
+        shut = _end_of_bracket(text, opened)
+        after = None if shut is None else _CALCULATED_ON.fullmatch(text, shut + 1)
+        if shut is None or after is None:
+            return None
+        inside, rest = text[opened + 1 : shut], after["rest"] or ""
+        said = f"{begin['before']}{text[opened]}{self.said(inside) or inside}{text[shut]}"
+        return f"{said}{after['sign'] or after['power']}{self.said(rest) or rest}"
+
     def _inside(self, inside: str, kind: str) -> str:
         """What is said in a place."""
         match kind:
             case "" | "name" | "most":
+                return inside
+            case _ if kind in _CASES:  # a point is said where it is told in parts, else it stays as it is written
                 return inside
             case "words":
                 return self.said(inside) or inside
@@ -207,6 +227,19 @@ class Phrases:
             return _OWN[kind]
         own = self.kinds.get(kind, ()) if kind else ()
         return "|".join(self._written(p.english, inside=True) for p in own) or _ANYTHING
+
+
+def _end_of_bracket(text: str, opened: int) -> int | None:
+    """Where the bracket ends that begins at a place."""
+    if text[opened] == "|":
+        found = text.find("|", opened + 1)
+        return None if found < 0 else found
+    depth = 0
+    for k in range(opened, len(text)):
+        depth += (text[k] == "(") - (text[k] == ")")
+        if depth == 0:
+            return k
+    return None
 
 
 @cache

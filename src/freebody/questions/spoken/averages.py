@@ -34,7 +34,7 @@ _OVER_TIME = re.compile(
 _OF_TURNING = re.compile(r"angular (?P<what>velocity|acceleration) of (?P<of>\w+)")
 _PLAIN = {"become", "act", "exert", "move", "turn", "reach"}  # verbs that say no more than the quantity
 _UNTIL = ("until", "after", "while")
-_COUNTED_UNTIL = re.compile(r"(?P<what>.+?) until (?P<event>.+)")
+_COUNTED_UNTIL = re.compile(r"(?P<what>.+?) (?:until|when) (?P<event>.+)")
 _TIME = re.compile(r"time when (?P<event>.+)")
 _KINDS = ("power", "speed", "torque")
 
@@ -91,12 +91,16 @@ def _counted(names: Names, language: str, kind: str, said: re.Match[str], words:
         when = _turned(names) if whose in _turning(names) else ""
     of = said["of"] or told["mean_of_drive"] * (kind == "torque")
     plain = re.sub(told["mean_the"], " of ", of, count=1, flags=re.IGNORECASE)
-    texts = (f"{what}{put}{when}" for what in told[f"mean_{kind}_counted"].split("|") for put in (of, plain))
-    counted = next((one for text in texts if (one := _COUNTED_UNTIL.fullmatch(words(text)))), None) if when else None
-    if counted is None:
+    texts = [f"{what}{put}" for what in told[f"mean_{kind}_counted"].split("|") for put in (of, plain)] if when else []
+    # what is counted until some instant, said in the language of the text, is counted until the turn is full
+    some = told["mean_until"] + (f"{_driven(names)[0]} = 1" if _turned(names) else "t = 1 s")
+    in_words = (one["what"] for text in texts if (one := _COUNTED_UNTIL.fullmatch(words(f"{text}{some}"))))
+    full = (_COUNTED_UNTIL.fullmatch(words(f"{counted}{when}")) for each in (texts, in_words) for counted in each)
+    full = next(filter(None, full), None)
+    if full is None:
         return ""
-    over = "2*pi" if kind == "torque" else f"time when {counted['event']}"
-    return f"({counted[0]}) / ({over})"
+    over = "2*pi" if kind == "torque" else f"time when {full['event']}"
+    return f"({full[0]}) / ({over})"
 
 
 def _turned(names: Names) -> str:

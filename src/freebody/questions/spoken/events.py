@@ -38,6 +38,7 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
 POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+_POINTING = {**POSES, "upward": poses.uppermost, "downward": poses.lowermost}
 _FINAL = ("terminal velocity", "terminal angular velocity")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?(?:/\d+)?")
 _SHARE = re.compile(r"\d+(?:\.\d+)?/\d+")
@@ -64,8 +65,9 @@ def conditions(names: Names, clause: Clause) -> Groups:
         yield from _of_quantity(names, clause, verbs)
     elif clause.has("part", *POSES) and clause.only("part", "name", "verb", *SILENT) and set(verbs) <= _LIES:
         of = next((name for _, name in clause.names if name not in names.connections), "")
-        for pose in clause.all("part"):
-            yield POSES[pose](names, of) if pose in POSES else []
+        said = {*clause.all("part")} - {"vertical"} or {"vertical"}  # straight up is not straight down
+        told = _POINTING if clause.has("part", "vertical") else POSES
+        yield told[next(iter(said))](names, of) if len(said) == 1 and said <= told.keys() else []
     else:
         if clause.values or clause.has("turns") or any(name in names.parameters for _, name in clause.names):
             yield from come_so_far(names, clause, verbs)

@@ -16,7 +16,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND
+from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import along_lines, driving, given, joining, lookup, rubbing
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
@@ -44,6 +44,11 @@ _OF_BOTH = re.compile(  # but not what both have in common
     r" (?:(?:of|for) (?:the )?(?:both|two) |(?:der|von) (?:beiden|zwei) )",
     re.IGNORECASE,
 )
+_OF_TWO = re.compile(r"\b(?:(?:of|von|der) (?:the |den )?(?:both|two|beiden?|zwei)|beider) [^\W\d]", re.IGNORECASE)
+_SUMMED = re.compile(
+    r"(?:(?:kinetic|potential|total) energy|(?:linear|angular) momentum)(?: of (?P<of>\w+))?"
+    r"(?= (?:when|at|after|before|until|along|about)\b|$)"
+)
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
 _BEYOND = re.compile(  # how long it is above 20 m, and not when it rises above that
     r"^(?:how long (?:is|was|are)|(?:the )?time (?:spent )?|wie lange (?:ist|war)|(?:die )?zeit )"
@@ -63,6 +68,7 @@ _MAY = Word("filler", "may")
 _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
+_TWO = 2
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
 
@@ -133,8 +139,20 @@ def loses_other(names: Names, said: str, text: str) -> bool:
     energies, and that of all together does."""
     if _ENERGIES.search(said) is not None and _IN_ALL.match(text) is not None:
         return True
+    if _OF_TWO.search(said) is not None and (summed := _SUMMED.match(text)) is not None:
+        return summed["of"] in names.bodies if summed["of"] else len(_resisting(names)) != _TWO
     own = _OF_ONE.match(text)
     return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
+
+
+def _resisting(names: Names) -> list[str]:
+    """Bodies that have a mass, or resist turning, and are not held."""
+    inert = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
+    return [
+        n
+        for n in inert
+        if any(own != ZERO for own in (names.bodies[n].mass, names.bodies[n].inertia, *names.bodies[n].tensor))
+    ]
 
 
 def loses_height(names: Names, said: str, text: str) -> bool:

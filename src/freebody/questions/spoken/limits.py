@@ -30,12 +30,16 @@ _OF_LIMIT = re.compile(r"^(?:least|largest|range of) (\w+) (?:so that|that keeps
 _ALONG = {"horizontal": {"right", "left"}, "vertical": {"up", "down"}}  # a force, and the directions of a file
 _TO_LEVEL, _TILTED = Word("quantity", "angle to the horizontal"), "from level"
 _TILT = Word("part", _TILTED)
+_HEAVY = Word("ask", "heavy")
+_ALONG_SLOPE = {Word("part", "uphill"): Word("part", "upward"), Word("part", "downhill"): Word("part", "downward")}
 _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not tip"
 
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
+    words = _how_heavy(names, words) if "may" in modal else words
+    words = [_ALONG_SLOPE.get(word, word) for word in words]
     if rubbing.is_still(names) or rubbing.is_carried(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
         words = [w for w in words if w.kind != "verb" or w.what not in light]
@@ -100,6 +104,26 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         yield [f"range of {parameter} for which {lasts}"]
     elif end == "range":
         yield [f"range of {parameter} that keeps it at rest"]
+
+
+def _how_heavy(names: Names, words: list[Word]) -> list[Word]:
+    """How much load can be held with the force F: how heavy it may be, where the force is as it is given."""
+    plain = [word for word in words if word.kind != "filler"]
+    asks, of = (plain[0], plain[1]) if len(plain) > 1 else (Word("", ""), Word("", ""))
+    if asks in (Word("ask", "much"), Word("ask", "what"), _HEAVY):
+        if of == Word("quantity", "mass"):
+            plain = [_HEAVY, *plain[2:]]
+        elif of.kind == "name" and of.what in names.bodies:
+            plain = [_HEAVY, *plain[1:]]
+    if plain[:1] != [_HEAVY]:
+        return words
+    for k, word in enumerate(plain):
+        if word.kind != "preposition" or word.what not in ("from", "by", "with"):
+            continue
+        end = k + 1 + (plain[k + 1 : k + 2] == [Word("quantity", "force")])
+        if plain[end : end + 1] and plain[end].kind == "name" and plain[end].what in names.parameters:
+            return [*plain[:k], *plain[end + 1 :]]
+    return plain
 
 
 def _from_level(words: list[Word]) -> list[Word]:
@@ -288,6 +312,8 @@ def _end(names: Names, head: Clause, state: Clause, modal: set[str]) -> str:
         degree = "greatest" if _is_push(head) and pushes and "must" not in modal else ""
     if head.has("ask", "flat", "small"):  # how flat at most: the least
         degree = {"least": "greatest", "greatest": "least"}.get(degree, degree)
+    if "slide" in ends_rest and (state.has("part", "downward") or head.has("part", "downward")):
+        return "least" if degree == "least" and is_denied else "range" if not degree else ""
     if degree in ("least", "greatest"):
         if starts and "fall" in ends_rest and not is_denied and _is_push(head):
             return degree if degree == "least" else ""

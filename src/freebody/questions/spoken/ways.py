@@ -59,6 +59,8 @@ def ways_to_mean(names: Names, text: str, *, guess: bool = False) -> list[Meanin
     for language in languages():
         text = re.sub(contexts(language)["at_once"], "", text)
         text = re.sub(contexts(language)["on_crest"], contexts(language)["at_top"], text)
+        if "elliptic" in contexts(language):  # the upper block on the lower, which is a block, too
+            text = re.sub(contexts(language)["elliptic"], r"\g<all> \g<noun>", text)
     elements = elements_of(names)
     text = about_own_axles(names, elements, without_units(without_what_holds(names, text), elements.exact)[0])
     text = in_weights(names, elements, text)

@@ -52,10 +52,11 @@ _SHARES = tuple(
     (re.compile(pattern, re.IGNORECASE), force)
     for pattern, force in (
         (
-            r"^(?:welche[rn]? (?:prozentuale[rn]? )?(?:anteil|bruchteil)|wie ?viele? prozent) (?:des|der|vom) "
+            r"^(?:welche[rn]? (?:prozentuale[rn]? )?(?:anteil|bruchteil|teil)|wie ?viele? prozent) (?:des|der|vom) "
             r"(?:gesamt|eigen|fahrzeug)?(?:gewichte?s?|gewichtskraft|last) "
             r"(?:trägt|nimmt|(?:ruh|last)e[tn]|ruht|lie(?:g|ge)[tn]|entf(?:ä|a)ll(?:t|en)|wird von)"
-            r"(?: auf)? (?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
+            r"(?: beim (?:bremsen|anfahren|beschleunigen))?(?: auf)? "
+            r"(?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
             "Normalkraft von",
         ),
         (
