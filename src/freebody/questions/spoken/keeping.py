@@ -45,6 +45,10 @@ _OF_BOTH = re.compile(  # but not what both have in common
     re.IGNORECASE,
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_PLACE_WHEN = re.compile(r"[^\W\d]\w* when ")
+_CALLED_JOINT = re.compile(  # the bearing A
+    r"\b(?:bearing|hinge|pin|joint|support|axle|pivot|Lager|Auflager|Gelenk|Bolzen|Achse) ([^\W\d]\w*)\b(?!\.)"
+)
 _BEYOND = re.compile(  # how long it is above 20 m, and not when it rises above that
     r"^(?:how long (?:is|was|are)|(?:the )?time (?:spent )?|wie lange (?:ist|war)|(?:die )?zeit )"
     r"(?:(?!\b(?:until|till|when|bis|after|to)\b).)*?"
@@ -75,6 +79,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
+    if _PLACE_WHEN.match(text) and text.split()[0] in names.measures and _moves_nowhere(names):
+        return False  # what stands still is nowhere else when a force is least: another angle is meant
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
@@ -103,6 +109,11 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def _moves_nowhere(names: Names) -> bool:
+    """Whether the only body is held by as many constraints as it has freedoms, and driven by none."""
+    return len(lookup.moving(names)) == 1 and n_freedoms(names) <= 0 and not joining.driven(names)
 
 
 def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> bool:
@@ -153,7 +164,8 @@ def loses_height(names: Names, said: str, text: str) -> bool:
 
 def loses_joint(names: Names, said: str, text: str) -> bool:
     """Whether a text says by its name of which connection a force is, and another one stands in its place."""
-    named = [found for found in _OF_JOINT.findall(said) if found in names.connections and found not in names.bodies]
+    said_of = (*_OF_JOINT.findall(said), *_CALLED_JOINT.findall(said))
+    named = [found for found in said_of if found in names.connections and found not in names.bodies]
     found = [thing for thing in _THING.findall(text) if thing in names.connections]
     return (
         bool(named and found)
@@ -281,8 +293,14 @@ def _are_alike(names: Names, one: str, other: str) -> bool:
 
 def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     """Whether a thing of the ground is what a contact touches, or the only one of its kind."""
+    held = {joint for joint in names.connections if thing in joining.ends_of(names, joint)}
+    if held and "." in thing and not held & things and things & names.connections.keys():
+        return False  # a force at a bearing is none between the teeth
     if any(other in names.connections and joining.touches(names, other, thing) for other in things):
         return True
+    held = {joint for joint in names.connections if thing in joining.ends_of(names, joint)}
+    if held and "." in thing and not held & things and things & names.connections.keys():
+        return False  # a force at a bearing is none between the teeth
     return len(names.bodies[GROUND].lines) + len(names.bodies[GROUND].planes) <= 1
 
 

@@ -18,6 +18,7 @@ from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.turning_round import rolls_down
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -94,6 +95,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     end = _end(names, head, state, modal)
     if end == "largest" and _hinders(names, state, parameter):
         return
+    if lasts == _NO_SLIP and rolls_down(names):
+        lasts = "it rolls without slipping"
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
     elif end == "range" and lasts not in (_REST, _NO_SLIP):

@@ -286,17 +286,21 @@ def _returning(names: Names, clause: Clause, of: list[str]) -> Groups:
 
 
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
-    """It is to happen after so much time: it stops within 4 s."""
-    times = [value for _, value in clause.values if dimensions.is_time(value, names)]
-    if (
-        len(times) == 1 == len(clause.values)
-        and clause.has("verb")
-        and not clause.has("quantity")
-        and not clause.has("not")
-    ):
+    """It is to happen after so much time: it stops within 4 s, rises 1 m in 4 s, reaches 300 rpm in 5 s."""
+    values = [word for word in clause.words if word.kind == "value"]
+    times = [word for word in values if dimensions.is_time(word.what, names)]
+    if len(times) != 1 or not clause.has("verb") or clause.has("quantity") or clause.has("not"):
+        return
+    k = clause.words.index(times[0])
+    led = k > 0 and clause.words[k - 1] == Word("preposition", "in")
+    if len(values) == 1:
         kept = [w for w in clause.words if w.kind not in ("value", "mark")]
-        for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
-            yield [f"{text} = {times[0]}" for text in group if text.startswith("time when ")]
+    elif led and k + 1 == len(clause.words) and not clause.has("mark"):
+        kept = clause.words[: k - 1]
+    else:
+        return
+    for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
+        yield [f"{text} = {times[0].what}" for text in group if text.startswith("time when ")]
 
 
 def _failing_first(names: Names, clause: Clause) -> Groups:
