@@ -79,7 +79,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
-    if _PLACE_WHEN.match(text) and text.split()[0] in names.measures and _moves_nowhere(names):
+    if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and _moves_nowhere(names):
         return False  # what stands still is nowhere else when a force is least: another angle is meant
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False

@@ -148,8 +148,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     nearest, instead = _nearest(names, text, read)
     if not nearest and (so := _whether(names, text, read)):
         return so
-    if not nearest and (turned := _turned_round(names, text, read)):
-        return turned
+    if not nearest and (by_value := _turned_round(names, text, read)):
+        return by_value
     if (len(nearest) != 1 or _is_of_all(names, text)) and (parted := _several(names, text, read)):
         return parted
     if not nearest and not instead:
