@@ -373,9 +373,10 @@ loads: {weight: g}
     agrees(fb.System.from_text(text).solve("tension of left"), "q1", "m*g/sqrt(2)")
 
 
-def test_a_floor_that_nobody_declares_is_level() -> None:
+@pytest.mark.parametrize("floor", ["floor", "ground.floor"])
+def test_a_floor_that_nobody_declares_is_level(floor: str) -> None:
     text = BASE.replace(", lines: {floor: {along: right}}", "")
-    system = fb.System.from_text(f"{text}connections: {{c: {{contact: [rod.end, floor]}}}}\n")
+    system = fb.System.from_text(f"{text}connections: {{c: {{contact: [rod.end, {floor}]}}}}\n")
     assert "floor is not declared: it is the horizontal line through the origin" in [str(a) for a in system.assumptions]
 
 

@@ -568,7 +568,7 @@ def test_a_block_pulled_over_a_table_slides_until_its_string_has_no_length(agree
     agrees(solution, "q2", "m1*m2*g*(1 + mu)/(m1 + m2)")
     agrees(solution, "q3", "sqrt(2*g*(m2 - mu*m1)*(h - 3/10)/(m1 + m2))")
     # where it tips with so much friction is so rare that it is not told; what is common is
-    assert any(note.startswith("not told where") for note in solution["q1"].notes)
+    assert any(note.startswith(("not told where", "rare cases are not told")) for note in solution["q1"].notes)
     # v(h) holds before the edge: the two times are compared by their squares
     assert {"10·h > 3", "10·h < 13"} <= set(solution["q3"].conditions)
 

@@ -24,7 +24,7 @@ from freebody.system.system import System
 from freebody.tolerances import SAME_PLACE
 
 if TYPE_CHECKING:
-    from freebody.symbolic.field import DivisorVanishes
+    from freebody.symbolic.ratio import DivisorVanishes
 
 P = ParamSpec("P")
 T = TypeVar("T")
@@ -54,7 +54,7 @@ def cause(system: System, error: Exception) -> str:
     undefined = next(without_value(system), "")
     if undefined:
         return Message("{what}, so that nothing can be said here; start the model where it has a value", what=undefined)
-    from freebody.symbolic.field import DivisorVanishes  # studies in numbers alone do without it
+    from freebody.symbolic.ratio import DivisorVanishes  # studies in numbers alone do without it
 
     if isinstance(error, DivisorVanishes):
         return Message("the formulas divide by {x}, which is zero in the state that is asked about", x=_shown(error))

@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.language.units import FORCE, LENGTH, MASS
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import driving, given, joining, lookup, of_axles, rubbing
 from freebody.questions.spoken.composing import ALONG
 from freebody.questions.spoken.in_the_impact import is_of_impact
 from freebody.questions.spoken.lexicon import Word
@@ -100,7 +100,7 @@ def is_accounted_for(names: Names, words: Sequence[Word], text: str) -> bool:
     if _is_extreme(text) and _is_of_change(words):
         return False
     if Word("filler", "may") in words:  # what can be reached by choice is none of this motion
-        if joining.is_still(names) and _OF_MOTION.match(text):
+        if rubbing.is_still(names) and _OF_MOTION.match(text):
             return False
         if asked & {"acceleration", "deceleration"} and given.growing(names, []):
             return False
@@ -188,7 +188,7 @@ def _holds_elsewhere(names: Names, words: Sequence[Word], parameter: str) -> boo
     acting = [(free_symbols(p.law), {*p.measure.bodies()}) for p in names.applied_loads]
     acted = {body for used, bodies in acting if parameter in used for body in bodies}
     is_alone = all(parameter in used for used, _ in acting)
-    return is_alone and not held & acted and any(joining.axle_of(names, body) == "center" for body in held)
+    return is_alone and not held & acted and any(of_axles.axle_of(names, body) == "center" for body in held)
 
 
 def _is_pushed(names: Names, words: Sequence[Word], text: str) -> bool:
@@ -261,7 +261,7 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True
-    if parameter in joining.drive_parameters(names):  # the speed of what turns
+    if parameter in driving.drive_parameters(names):  # the speed of what turns
         kinds += [given.KIND_OF["angular velocity"]] if given.KIND_OF["speed"] in kinds else []
     if given.KIND_OF["impulse"] in kinds:  # of what turns, an angular one
         kinds += [given.KIND_OF["angular impulse"]]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import along_lines, joining, lookup
+from freebody.questions.spoken import along_lines, joining, lookup, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import conditions
 from freebody.questions.spoken.lexicon import Word
@@ -39,7 +39,7 @@ def gone_on(names: Names, sentence: Sentence) -> Groups:
     if not who or (of and who != of[0]) or len(sentence.others) > 1:
         return
     if not sentence.others:
-        ends = [[f"{who} stops"]] if joining.can_stick(names, who) else []
+        ends = [[f"{who} stops"]] if rubbing.can_stick(names, who) else []
     else:
         mark, clause = sentence.others[0]
         ends = [*conditions(names, clause)] if mark == "until" else []

@@ -10,7 +10,7 @@ from freebody.language.notation import to_python
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Components
-from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken import joining, lookup, rubbing, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -32,7 +32,7 @@ def at_point(names: Names, who: str, point: str) -> list[str]:
 
 def slid(names: Names, who: str) -> list[str]:
     """The ways of a body along the straight lines that it touches with friction, from the body that has the line."""
-    return _touched(names, who, joining.rough(names, who))
+    return _touched(names, who, rubbing.rough(names, who))
 
 
 def unmeasured(names: Names, who: str) -> list[str]:

@@ -14,6 +14,7 @@ from freebody.questions.spoken import (
     joining,
     lookup,
     losing,
+    of_axles,
     of_forces,
     of_motion,
     of_sections,
@@ -21,6 +22,7 @@ from freebody.questions.spoken import (
     of_systems,
     of_transmissions,
     poses,
+    rubbing,
     strings,
     transmitting,
 )
@@ -144,7 +146,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     """The greatest or least of something over the motion."""
     if len(degrees) != 1 or degrees[0] not in ("greatest", "least"):
         return
-    if joining.is_still(names) and clause.has("quantity", *MOTION):
+    if rubbing.is_still(names) and clause.has("quantity", *MOTION):
         return  # the greatest acceleration that can be reached is none of a motion
     if len(clause.all("quantity")) > 1 and clause.has("preposition", "and"):
         return  # the largest of one, and another
@@ -291,7 +293,7 @@ def _are_geared(names: Names, *sides: Clause) -> bool:
     """Whether only two bodies are named of which one turns the other."""
     is_plain = all(side.only("name", *SILENT) and len(side.names) == 1 for side in sides)
     turned = {body for row in names.constraint_rows if row.reaction in _GEARED for body in row.measure.bodies()}
-    arms = {body for body in lookup.turning(names) if joining.planets(names)}
+    arms = {body for body in lookup.turning(names) if of_axles.planets(names)}
     return is_plain and all(name in turned | arms for side in sides for _, name in side.names)
 
 

@@ -12,7 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, rubbing
 from freebody.questions.spoken.lexicon import assumptions, languages
 
 if TYPE_CHECKING:
@@ -58,10 +58,10 @@ def _assumed(text: str) -> Iterator[tuple[str, str, str]]:
 def _against(names: Names, what: str) -> list[str]:
     """What a model has where something is assumed not to be: contacts that are rough, or may slip, and drag."""
     if what == "locked wheels":  # what has no wheels slides
-        return [] if joining.rough(names, "") and not joining.rolls(names) and not lookup.rests(names) else ["rest"]
+        return [] if rubbing.rough(names, "") and not rubbing.rolls(names) and not lookup.rests(names) else ["rest"]
     if what == "no drag":
         return [name for name in names.loads if "air" in names.called.get(name, ())]
-    rough = joining.rough(names, "")
+    rough = rubbing.rough(names, "")
     if what == "no slip":  # what has no coefficient of friction does not slip
         return [name for name in rough if joining.given_of(names.connections[name]).get("friction") is not None]
     return rough

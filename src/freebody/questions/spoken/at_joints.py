@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, strings, transmitting
+from freebody.questions.spoken import joining, lookup, of_axles, strings, transmitting
 from freebody.questions.spoken.composing import JOINT, Groups, without_owners
 from freebody.questions.spoken.words import Clause
 
@@ -18,7 +18,7 @@ def of_joint(names: Names, kind: str, rest: Clause) -> Groups:
     of = rest.names
     bearings: list[str] = []
     if kind == "bearing reaction":
-        kind, bearings = "reaction", joining.bearings(names)
+        kind, bearings = "reaction", of_axles.bearings(names)
     joints = [name for _, name in of if name in names.connections]
     loads = [name for _, name in of if name in names.loads]
     things = [(before, name) for before, name in of if name not in names.connections and name not in names.loads]

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, rubbing
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -90,6 +90,6 @@ def _settled(names: Names, words: list[Word]) -> list[Word]:
     known = set(clause.all("quantity")) <= {"angle", "equilibrium"} and len(clause.all("instant")) <= 1
     others = [name for _, name in clause.names if name not in lookup.moving(names)]
     angles = [angle for body in ([n for _, n in clause.names] or [""]) for angle in lookup.angles(names, body)]
-    if not (rests and asks and plain and known) or others or len(angles) != 1 or joining.is_rough(names):
+    if not (rests and asks and plain and known) or others or len(angles) != 1 or rubbing.is_rough(names):
         return words
     return [Word("quantity", "equilibrium"), Word("preposition", "of"), Word("name", angles[0])]

@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import lookup, rubbing
 from freebody.questions.spoken.lexicon import Word
 
 if TYPE_CHECKING:
@@ -22,7 +22,7 @@ _SHORTEST = {Word("degree", "least"), Word("quantity", "stopping distance")}
 
 def limits_of_braking(names: Names, words: Sequence[Word]) -> Message | None:
     """What is said of a text that asks a car in motion which wheel locks first, or for its shortest way to a stop."""
-    if words and _FIRST.issubset(words) and not joining.is_still(names):
+    if words and _FIRST.issubset(words) and not rubbing.is_still(names):
         return Message(
             "what slips or lifts first is asked of a system at rest: describe the car as its driver sees it, under its "
             "weight and the inertia force m*A, with friction where a wheel is braked or driven, and ask which wheel "
@@ -31,7 +31,7 @@ def limits_of_braking(names: Names, words: Sequence[Word]) -> Message | None:
         )
     if not _SHORTEST.issubset(words):
         return None
-    if joining.is_still(names) and lookup.rests(names):
+    if rubbing.is_still(names) and lookup.rests(names):
         return Message(
             "the shortest stopping distance from a speed v is v^2/(2*A) with the largest deceleration A: ask for the "
             "largest A so that it stays at rest"

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, dimensions, joining, lookup, poses, strings
+from freebody.questions.spoken import along_lines, dimensions, joining, lookup, of_axles, poses, strings
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.words import Clause
 
@@ -97,7 +97,7 @@ def come_so_far(names: Names, clause: Clause, verbs: list[str]) -> Groups:
     elif doing == {"reach"} and dimensions.is_angle(value) and not turns and (angles := _angles_at(names, who)):
         yield [f"{angle} = {value}" for angle in angles]  # the crank has reached 90 deg, the car is at 90 deg
     elif turns or doing == {"turn"}:
-        turned = [lookup.gone_either_way(names, angle, value) for angle in joining.turned(names, who)]
+        turned = [lookup.gone_either_way(names, angle, value) for angle in of_axles.turned(names, who)]
         yield turned or [f"{angle} has moved {value}" for angle in _unmeasured_angles(names, who)]
     elif doing == {"hang"}:
         yield strings.hung_down(names, who, value) if dimensions.is_length(value, names) else []

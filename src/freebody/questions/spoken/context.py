@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
 from freebody.language.units.quantity import parse_quantity
-from freebody.questions.spoken import joining, lookup, poses
+from freebody.questions.spoken import lookup, poses, rubbing
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import changes_value, contexts, languages
@@ -130,7 +130,7 @@ def _only_describes(names: Names, elements: Elements, said: str, language: str) 
             words = words_of(way.text, language)
             verbs = {word.what for word in words if word.kind == "verb"}
             slips = verbs & _SLIPS and any(
-                "contact" in names.called.get(joint, ()) for joint in joining.rough(names, "")
+                "contact" in names.called.get(joint, ()) for joint in rubbing.rough(names, "")
             )
             known = (*_KNOWN, "instant") if lookup.rests(names) else _KNOWN  # it rolls from rest
             verbs -= {"become", *(("from_rest",) if lookup.rests(names) else ())}

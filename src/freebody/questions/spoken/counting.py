@@ -6,7 +6,7 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, dimensions, farthest, given, joining, lookup, losing, poses
+from freebody.questions.spoken import along_lines, dimensions, farthest, given, joining, lookup, losing, poses, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import GOES_ON, POSES, conditions
 from freebody.questions.spoken.lexicon import Word
@@ -70,13 +70,13 @@ def time(names: Names, sentence: Sentence) -> Groups:
             yield ["time when it lands"] if all(lookup.is_all_that_moves(names, name) for name in of) else []
         if head.only("verb", "name", "pronoun") and len(of) <= 1 and set(head.all("verb")) == {"slide"}:
             yield [f"time when slipping of {of[0]} ends" if of else "time when slipping ends"]
-        joint = joining.slipping_on(names, head.names)
+        joint = rubbing.slipping_on(names, head.names)
         if joint is not None and set(head.all("verb")) == {"slide"} and head.only("verb", "name", *SILENT):
             yield [f"time when slipping of {joint} ends"]
         return
     if main.has("ask", "long") and not sentence.others and set(head.all("verb")) == {"hold"}:
         of = [name for _, name in head.names]  # how long does it stick
-        if head.only("verb", "name", "pronoun") and len(of) <= 1 and joining.rough(names, next(iter(of), "")):
+        if head.only("verb", "name", "pronoun") and len(of) <= 1 and rubbing.rough(names, next(iter(of), "")):
             yield [f"time when {of[0]} begins to slip" if of else "time when slipping begins"]
         return
     if head.has("verb", "return") and not sentence.others and not lookup.ways(names, "") and lookup.rests(names):
@@ -163,14 +163,14 @@ def stopping(names: Names, sentence: Sentence) -> Groups:
     if asked == ["stopping time"]:
         yield [f"time when {of or 'it'} stops"]
         ways = lookup.went(names, of) or lookup.angles(names, of)
-        yield [f"time when rate({way}) = 0" for way in ways if not joining.is_rough(names)]
+        yield [f"time when rate({way}) = 0" for way in ways if not rubbing.is_rough(names)]
     elif asked == ["stopping distance"]:
         yield [f"change of {way} until {of or 'it'} stops" for way in lookup.went(names, of)]
         gone = {way: {*names.measures[way].bodies()} - {GROUND} for way in lookup.went(names, of)}
-        free = [way for way, bodies in gone.items() if not any(joining.can_stick(names, body) for body in bodies)]
+        free = [way for way, bodies in gone.items() if not any(rubbing.can_stick(names, body) for body in bodies)]
         yield [f"change of {way} until rate({way}) = 0" for way in free]
         yield [
-            f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not joining.is_rough(names)
+            f"change of {way} until rate({way}) = 0" for way in lookup.went(names, of) if not rubbing.is_rough(names)
         ]
         if not lookup.went(names, of) and (who := of or next(iter(lookup.massive(names)), "")) in names.bodies:
             ways = [f"{axis} of {who}" for axis in joining.guided_along(names, who)]
@@ -356,7 +356,7 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:
-        yield [f"work of {joint}" for joint in joining.rough(names, who)]
+        yield [f"work of {joint}" for joint in rubbing.rough(names, who)]
     elif asked == ["change"] and not verbs and who in names.measures:
         yield [f"change of {who}"]
 

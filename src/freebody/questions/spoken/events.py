@@ -11,7 +11,18 @@ from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
-from freebody.questions.spoken import along_lines, dimensions, joining, lookup, losing, poses, strings
+from freebody.questions.spoken import (
+    along_lines,
+    dimensions,
+    driving,
+    joining,
+    lookup,
+    losing,
+    of_axles,
+    poses,
+    rubbing,
+    strings,
+)
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.coming import angles_of, come_so_far, going_at
 from freebody.questions.spoken.composing import SILENT, Groups
@@ -177,7 +188,7 @@ def _share_of_final(names: Names, clause: Clause, values: list[str]) -> list[str
         return []
     who = lookup.acted_on(names, of[0]) if of else ""
     angles = lookup.angles(names, who)
-    is_turning = clause.has("quantity", _FINAL[1]) or (who and joining.axle_of(names, who) == "center")
+    is_turning = clause.has("quantity", _FINAL[1]) or (who and of_axles.axle_of(names, who) == "center")
     found = angles if is_turning else lookup.places(names, who) or angles
     return [f"velocity of {name} = {values[0]} of its final value" for name in found]
 
@@ -188,7 +199,7 @@ def _halved(names: Names, clause: Clause) -> Groups:
     turning = clause.has("quantity", "angular velocity")
     if clause.has("quantity", "angular velocity", "velocity", "speed") and len(clause.names) <= 1:
         measures = lookup.angles(names, of) if turning else lookup.places(names, of)
-        measures = measures or (lookup.angles(names, of) if joining.axle_of(names, of) == "center" or not of else [])
+        measures = measures or (lookup.angles(names, of) if of_axles.axle_of(names, of) == "center" or not of else [])
         moving = [(name, names.start_rates.get(name, ZERO)) for name in measures]
         yield [f"rate({name}) = {to_python(rate / 2).replace('**', '^')}" for name, rate in moving if rate != ZERO]
 
@@ -213,7 +224,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             found = angles_of(names, of)
             is_joint = of in names.connections and not found  # the cam angle
             led = (
-                [] if of and not is_joint else [angle for angle in found if angle in joining.driven(names)]
+                [] if of and not is_joint else [angle for angle in found if angle in driving.driven(names)]
             )  # that of the motor
             way = next((part for part in clause.all("part") if part in ("horizontal", "vertical")), "")
             yield [f"{angle} = {value}" for angle in poses.counting_from(names, led or found, way)]
@@ -399,7 +410,7 @@ def _stops(names: Names, who: str, other: str) -> Groups:
     if not other and losing.damped(names) and lookup.springs(names):
         return  # where it turns back, or where it comes to rest for good
     if (
-        not other and not joining.can_stick(names, who) and who not in names.connections
+        not other and not rubbing.can_stick(names, who) and who not in names.connections
     ):  # where it turns back, or comes near to
         yield poses.turning(names, who)
         return

@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import rubbing
 from freebody.questions.spoken.lexicon import contexts, languages
 
 if TYPE_CHECKING:
@@ -17,7 +17,7 @@ def where_there_is_one(names: Names, text: str) -> Message | None:
     """What is said of a text that asks where an equilibrium exists, in a model whose measures tell it. With friction
     rest is possible in many poses, and is asked as such."""
     asks = any(re.search(contexts(la)["equilibrium_exists"], text, re.IGNORECASE) for la in languages())
-    if not asks or not names.measures or joining.is_rough(names):
+    if not asks or not names.measures or rubbing.is_rough(names):
         return None
     return Message(
         "ask for the equilibrium of {measure}: the conditions beside its formula say for which values there is one",

@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, joining, lookup, poses
+from freebody.questions.spoken import along_lines, driving, joining, lookup, poses, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.words import Clause
@@ -37,7 +37,7 @@ def how_high(names: Names, main: Clause) -> Groups:
         return
     if set(main.all("verb")) <= {"move", "fly", "rise", "roll", "turn", "slide", "reach"} and len(main.names) <= 1:
         yield [f"{height} when {top}" for height in lookup.rising(names, who) for top in poses.tops(names, who)]
-        led = [name for name, _ in lookup.heights(names, who) if joining.is_led(names) and who]
+        led = [name for name, _ in lookup.heights(names, who) if driving.is_led(names) and who]
         if main.has("verb", "rise") and led:  # how high the cam lifts it
             yield [f"stroke of {name}" for name in led]
             return
@@ -90,7 +90,7 @@ def how_far(names: Names, main: Clause) -> Groups:
         and not names.struck_at_start
     ):
         yield [f"{way} when rate({way}) = 0" for way in lookup.ways(names, who) if who and lookup.springs(names)]
-    elif set(main.all("verb")) == {"move"} and joining.is_rough(names) and not lookup.rests(names) and who:
+    elif set(main.all("verb")) == {"move"} and rubbing.is_rough(names) and not lookup.rests(names) and who:
         ways = lookup.ways(names, who) if not _slips_on_what_moves(names, who) else []
         yield [f"{way} when {who} stops" for way in ways]  # with the speed that it has
     elif set(main.all("verb")) - {"move"} == {"slide"} and (names.impulses or not lookup.rests(names)):
@@ -119,8 +119,8 @@ def how_far(names: Names, main: Clause) -> Groups:
 def slipped(names: Names, main: Clause) -> Groups:
     """How far does the parcel slip on the belt? The way along what it touches there, until both move alike."""
     who = next((name for _, name in main.names), "")
-    alone = joining.rough(names, who) if len(main.names) == 1 else []
-    joint = alone[0] if len(alone) == 1 else joining.slipping_on(names, main.names)
+    alone = rubbing.rough(names, who) if len(main.names) == 1 else []
+    joint = alone[0] if len(alone) == 1 else rubbing.slipping_on(names, main.names)
     asks = main.all("ask") == ["far"] and set(main.all("verb")) - {"move"} == {"slide"}
     if asks and joint is not None and joining.is_between(names, joint) and main.only("ask", "verb", "name", *SILENT):
         ways = along_lines.slid(names, who)
@@ -132,5 +132,5 @@ def slipped(names: Names, main: Clause) -> Groups:
 
 def _slips_on_what_moves(names: Names, who: str) -> bool:
     """Whether something slips on a body that moves as well: its own way is not how far it slips."""
-    joints = joining.rough(names, who)
+    joints = rubbing.rough(names, who)
     return any(sum(joining.touches(names, joint, body) for body in lookup.moving(names)) > 1 for joint in joints)

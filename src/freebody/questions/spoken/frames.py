@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.units import FORCE
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, of_axles, rubbing
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -93,7 +93,7 @@ _FRAMES = (
 def framed(names: Names, clause: Clause) -> Clause:
     """The clause with the quantity that its question words and its verbs stand for, and without what says no more."""
     clause = _changing(clause)
-    if joining.is_still(names) and clause.has("ask", "with") and clause.has("verb"):
+    if rubbing.is_still(names) and clause.has("ask", "with") and clause.has("verb"):
         return clause  # the speed at which it slides is no speed of a motion
     asked, asks, verbs = clause.all("quantity"), set(clause.all("ask")), set(clause.all("verb"))
     if asks & {"with", "what"} and asked in (["force", kind] for kind in _KINDS_OF_FORCE):  # with what force it pulls
@@ -166,7 +166,7 @@ def _with_quantity(names: Names, quantity: str, words: list[Word]) -> Clause:
     """Words with the quantity of a frame, as what is named has it."""
     of = [word.what for word in words if word.kind == "name"]
     if quantity == "acceleration":
-        is_turned = Word("part", "angular") in words or any(joining.axle_of(names, name) == "center" for name in of)
+        is_turned = Word("part", "angular") in words or any(of_axles.axle_of(names, name) == "center" for name in of)
         words = [word for word in words if word != Word("part", "angular")]
         quantity = "angular acceleration" if is_turned else quantity
     elif quantity == "force":

@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, joining, lookup, within
+from freebody.questions.spoken import dimensions, joining, lookup, of_axles, within
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
@@ -107,8 +107,8 @@ def per_turn(names: Names, sentence: Sentence) -> Groups:
 def _is_even(names: Names, thing: str, turned: str) -> bool:
     """Whether a thing goes as far for each part of a turn: not by a crank, a cam, or a rope aslant to its guide."""
     joints = {name for name in names.connections if joining.touches(names, name, turned)}
-    pins = [names.connections[name].mentions(names) - {GROUND, turned} for name in joints & {*joining.axles(names)}]
-    is_crank = joining.axle_of(names, turned) == "beside" or any(own - {*joining.planets(names)} for own in pins)
+    pins = [names.connections[name].mentions(names) - {GROUND, turned} for name in joints & {*of_axles.axles(names)}]
+    is_crank = of_axles.axle_of(names, turned) == "beside" or any(own - {*of_axles.planets(names)} for own in pins)
     strings = {row.connection for row in names.constraint_rows if row.reaction == "tension"}
     is_aslant = bool(joining.guides(names, thing)) and any(joining.touches(names, name, thing) for name in strings)
     lifts = any({"cam", "groove"} & {*names.called.get(name, ())} for name in joints)
@@ -135,7 +135,7 @@ def _driving(names: Names, given: Clause) -> tuple[str, str, str] | None:
     if (
         dimensions.is_speed(value, names)
         and thing in lookup.moving(names)
-        and joining.axle_of(names, thing) != "center"
+        and of_axles.axle_of(names, thing) != "center"
     ):
         return thing, value, f"speed of {thing}"
     if dimensions.is_speed(value, names) and thing in lookup.places(names, ""):
@@ -147,7 +147,7 @@ def _turning(names: Names, main: Clause) -> Clause:
     """With what speed does the carrier run, what is its rpm: what turns about an axle has that of turning."""
     of = [name for _, name in main.names]
     plain = [verb for verb in main.all("verb") if verb != "move"]
-    is_turned = len(of) == 1 and joining.axle_of(names, of[0]) == "center" and not plain
+    is_turned = len(of) == 1 and of_axles.axle_of(names, of[0]) == "center" and not plain
     if is_turned and main.has("ask", "fast") and not main.has("quantity"):
         return Clause([*main.words, Word("verb", "turn")])
     return main
@@ -166,7 +166,7 @@ def efficiency_of_planets(names: Names, words: list[Word]) -> Groups:
     members = [(before, name) for before, name in clause.names if name in names.bodies]
     basic = [value for _, value in clause.values]
     basic += [name for _, name in clause.names if name in names.parameters]
-    is_asked = sorted(clause.all("quantity")) == ["basic efficiency", "efficiency"] and bool(joining.planets(names))
+    is_asked = sorted(clause.all("quantity")) == ["basic efficiency", "efficiency"] and bool(of_axles.planets(names))
     is_told = len(members) == 3 and len(basic) == 1 and set(clause.all("verb")) == {"hold"}
     known = clause.only("quantity", "verb", "name", "value", "mark", "relation", "ask", *SILENT)
     if not (is_asked and is_told and known and len(clause.names) + len(clause.values) == 4):

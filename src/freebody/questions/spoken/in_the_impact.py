@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import joining, rubbing
 from freebody.questions.spoken.lexicon import Word
 
 if TYPE_CHECKING:
@@ -31,7 +31,7 @@ def is_of_impact(names: Names, words: Sequence[Word], text: str) -> bool:
 def slip_in_impact(names: Names, words: Sequence[Word]) -> Message | None:
     """What is said of a text that asks whether, or for which values, the slip ends in an impact."""
     verbs = {word.what for word in words if word.kind == "verb"}
-    rough = joining.rough(names, "")
+    rough = rubbing.rough(names, "")
     if _INSTANTS.isdisjoint(words) or not verbs & _SLIP_ENDS or not rough:
         return None
     named = [word.what for word in words if word.kind == "name" and word.what not in names.parameters]

@@ -2,19 +2,30 @@
 
 from __future__ import annotations
 
-from itertools import pairwise, product
+from collections.abc import Iterator
+from itertools import product
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import dimensions, farthest, given, joining, lookup, losing, poses, within
+from freebody.questions.spoken import (
+    dimensions,
+    farthest,
+    joining,
+    lookup,
+    losing,
+    poses,
+    rubbing,
+    within,
+)
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups, ended
 from freebody.questions.spoken.counting import COUNTED
-from freebody.questions.spoken.events import GOES_ON, HAPPENS, conditions
-from freebody.questions.spoken.frames import MOTION
+from freebody.questions.spoken.event_within import event_within
+from freebody.questions.spoken.events import GOES_ON, conditions
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence, clock
-from freebody.questions.spoken.striking import BLOWS, NTH_IMPACT, hitting_again, is_caught, without_striker
+from freebody.questions.spoken.striking import BLOWS, NTH_IMPACT, hitting_again, is_caught
+from freebody.questions.spoken.throughout import is_given, is_throughout
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -56,7 +67,6 @@ _PLACES = {
     "after engagement": losing.engaged,
     "at the end": losing.at_the_end,
 }
-_COMMA = Word("preposition", ",")
 _LANDS = (Word("pronoun", "it"), Word("verb", "hit"))
 _TERMINAL = {"terminal velocity": "speed", "terminal angular velocity": "angular velocity"}
 _LANDING = {"impact speed": "speed", "impact angle": "angle of descent"}
@@ -67,7 +77,7 @@ _TIMED = {text: f" {text}" for text in ("in steady motion", "when t grows", *_DE
 def timed(names: Names, sentence: Sentence) -> Groups:
     """A quantity, and when it is meant."""
     main, others = sentence.main, [one for one in sentence.others if not is_throughout(names, *one)]
-    others = [(mark, clause) for mark, clause in others if not (mark == "when" and _is_given(names, clause))]
+    others = [(mark, clause) for mark, clause in others if not (mark == "when" and is_given(names, clause))]
     if _may_settle(names, sentence):
         return
     lasts = main.has("degree", "greatest") and not joining.strikes(names)
@@ -76,33 +86,15 @@ def timed(names: Names, sentence: Sentence) -> Groups:
     main = hitting_again(names, _told_twice(names, main, others))
     if main.has("instant", "over the motion") and not main.has("degree") and joining.goes_on(names):
         main = main.without("instant", "over the motion")
-    if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == [
-        "hold"
-    ]:  # how far is it stretched where it rests
-        main = Clause([*main.without("verb").words, Word("instant", "in equilibrium")])
-    if main.has("quantity", "deflection") and main.all("instant") == ["in equilibrium"] and not others:
-        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT):
-            of = next((name for _, name in main.names), "")
-            yield [f"equilibrium of {measure}" for measure in lookup.deflections(names, of)]
-            yield lookup.stretched_at_rest(names, of)
-        return
-    if main.has("quantity", *lookup.STRETCHED) and main.all("instant") == ["in equilibrium"] and not others:
-        if main.only("ask", "quantity", "instant", "name", "verb", *SILENT) and len(main.names) <= 1:
-            longer = lookup.stretched_at_rest(names, next((name for _, name in main.names), ""))
-            yield longer if main.has("quantity", "extension") else [f"-({text})" for text in longer]
+    if main.has("quantity", "deflection", *lookup.STRETCHED) and main.all("verb") == ["hold"]:
+        main = Clause([*main.without("verb").words, Word("instant", "in equilibrium")])  # stretched where it rests
+    at_rest = _in_equilibrium(names, main) if not others else None
+    if at_rest is not None:
+        yield from at_rest
         return
     is_thrown_back = not joining.strikes(names) and lookup.catching(names, pulls=False)  # by a buffer
     if main.all("instant") == ["after the impact"] and not others and is_thrown_back:
         main, others = main.without("instant"), [("when", Clause([Word("verb", "bounce")]))]
-    own = [name for _, name in main.names]
-    is_alone = main.only("name", "instant", *SILENT) and len(own) == 1 and own[0] in names.measures
-    if is_alone and not others and main.all("instant") == ["in equilibrium"]:  # y in equilibrium
-        yield [f"equilibrium of {own[0]}"]
-        return
-    if main.all("quantity") == ["depth"] and main.all("instant") == ["in equilibrium"] and not others:
-        for group in quantities(names, main.without("instant").without("ask")):
-            yield [f"equilibrium of {measure}" for measure in group]
-        return
     if main.has(
         "quantity", "deflection", "displacement", *lookup.STRETCHED
     ):  # how far until something happens is how far when it does
@@ -145,6 +137,65 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         return
     if main.has("ask", "where") and main.has("instant", "in equilibrium") and not main.has("quantity"):
         main = Clause([Word("quantity", "equilibrium"), *main.without("ask").without("verb").without("instant").words])
+    main = _begun(names, main, others)
+    if main.has("quantity", "common speed") and joining.is_struck_at_start_alone(names):  # after the bullet hits it
+        others = [(mark, own) for mark, own in others if not (mark in ("after", "when") and own.has("verb", "hit"))]
+    main = _in_other_names(names, main, others)
+    tails, main = _tails(names, main)
+    tails, main = _understood(names, main, others, tails)
+    if _in_first_phase(names, main, others):
+        others, tails = [], [*tails, [" at start"]]
+    if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
+        return
+    for mark, clause in others:
+        found = list(_at(names, mark, clause))
+        if not found:
+            return
+        tails.append([text for group in found for text in group])
+    if len(tails) > 1:  # said twice: in the lowest position, theta = 0
+        tails = [[text for text in tails[0] if all(text in own for own in tails)]]
+        if not tails[0] or others:
+            return
+    event = event_within(names, main) if not tails else None
+    if event is not None:
+        head, conditions_ = event
+        for group, when in product(list(quantities(names, head)), conditions_):
+            pairs = product(group, when)
+            yield [ended(text, f" when {end}") for text, end in pairs if not end.startswith(f"{text} = ")]
+        return
+    if not tails:
+        yield from quantities(names, main)
+        return
+    for tail in _at(names, others[0][0], others[0][1]) if len(others) == 1 else iter(tails[:1]):
+        for group in quantities(names, main):
+            yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+
+
+def _in_equilibrium(names: Names, main: Clause) -> Iterator[list[str]] | None:
+    """What something is where it rests: a place, how far a spring is stretched. None where it is not meant so."""
+    if main.all("instant") != ["in equilibrium"]:
+        return None
+    of = [name for _, name in main.names]
+    plain = main.only("ask", "quantity", "instant", "name", "verb", *SILENT)
+    if main.has("quantity", "deflection"):
+        measures = [f"equilibrium of {measure}" for measure in lookup.deflections(names, next(iter(of), ""))]
+        return iter([measures, lookup.stretched_at_rest(names, next(iter(of), ""))] if plain else [])
+    if main.has("quantity", *lookup.STRETCHED):
+        longer = lookup.stretched_at_rest(names, next(iter(of), "")) if plain and len(of) <= 1 else None
+        if longer is None:
+            return iter([])
+        return iter([longer if main.has("quantity", "extension") else [f"-({text})" for text in longer]])
+    if main.only("name", "instant", *SILENT) and len(of) == 1 and of[0] in names.measures:  # y in equilibrium
+        return iter([[f"equilibrium of {of[0]}"]])
+    if main.all("quantity") == ["depth"]:
+        deep = quantities(names, main.without("instant").without("ask"))
+        return ([f"equilibrium of {measure}" for measure in group] for group in deep)
+    return None
+
+
+def _begun(names: Names, main: Clause, others: list[tuple[str, Clause]]) -> Clause:
+    """A clause without what only says that something sets off, arrives or comes back: with what acceleration does it
+    start to move is its acceleration at the start."""
     speeds_up = main.has("verb", "accelerate") or main.has("quantity", "acceleration", "angular acceleration")
     if speeds_up and main.has("verb", "start") and not main.has("instant"):  # with what acceleration does it set off
         kept = main.without("verb", "start", "move").without("part", "initial")
@@ -164,17 +215,21 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = main.without("verb")  # with what speed does it begin to swing
     sets_off = begins and main.has("quantity", "velocity", "speed", "angular velocity") and main.has("ask", "with")
     is_sent = not lookup.rests(names) or joining.is_struck_at_start_alone(names)
-    is_sent &= set(main.all("verb")) <= {"start", "turn", "move"} and not joining.is_rough(names)  # or it rolls later
+    is_sent &= set(main.all("verb")) <= {"start", "turn", "move"} and not rubbing.is_rough(names)  # or it rolls later
     if sets_off and is_sent and not others and not main.has("instant"):  # with what speed it sets off
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
     accelerates = main.has("quantity", "acceleration", "angular acceleration") and main.has("verb", "start")
-    accelerates = accelerates and not joining.is_still(names)
+    accelerates = accelerates and not rubbing.is_still(names)
     if (
         accelerates and set(main.all("verb")) <= {"start", *GOES_ON} and not others
     ):  # with what acceleration does it start to move
         main = Clause([*main.without("verb").words, Word("instant", "at start")])
-    if main.has("quantity", "common speed") and joining.is_struck_at_start_alone(names):  # after the bullet hits it
-        others = [(mark, own) for mark, own in others if not (mark in ("after", "when") and own.has("verb", "hit"))]
+    return main
+
+
+def _in_other_names(names: Names, main: Clause, others: list[tuple[str, Clause]]) -> Clause:
+    """A clause with the quantities as the instant has them: the final speed once it rolls, the speed of what turns
+    alike after it has engaged, what goes round in steady motion."""
     if main.has("quantity", *_TERMINAL) and others:  # the final speed once it rolls
         main = Clause(
             [Word("quantity", _TERMINAL.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
@@ -190,7 +245,13 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         main = _at_most(names, main)
     if main.has("quantity", "common speed") and losing.clutches(names):
         main = main.without("instant", "at the end")  # of what slips, where both turn alike
-    tails, main = _tails(names, main)
+    return main
+
+
+def _understood(
+    names: Names, main: Clause, others: list[tuple[str, Clause]], tails: list[list[str]]
+) -> tuple[list[list[str]], Clause]:
+    """The instants that go without saying: of the speed of impact, of a common speed, of an initial value."""
     if main.has("quantity", *_LANDING):
         main = Clause(
             [Word("quantity", _LANDING.get(w.what, w.what)) if w.kind == "quantity" else w for w in main.words]
@@ -210,37 +271,18 @@ def timed(names: Names, sentence: Sentence) -> Groups:
         tails = tails or ([] if others else [[" in steady motion"]])
     if any(word.kind == "part" and word.what == "initial" for word in main.words) and not tails:
         main, tails = main.without("part", "initial"), [[" at start"]]
+    return tails, main
+
+
+def _in_first_phase(names: Names, main: Clause, others: list[tuple[str, Clause]]) -> bool:
+    """Whether it is said of the phase with which a motion begins, of which forces and accelerations do not change:
+    while it slides, where it comes to roll; while it rises, where it turns back."""
     slides = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["slide"]]
     is_first = losing.comes_to_roll(names) or (losing.clutches(names) and not lookup.rests(names))
     rising = [clause for mark, clause in others if mark == "while" and clause.all("verb") == ["rise"]]
     if rising and any(lookup.rises(names, way, sense) for way, sense in lookup.inclined(names, "")):
         slides, is_first = rising, True
-    if slides and len(others) == 1 and is_first and not _is_continuous(names, main):
-        others, tails = [], [*tails, [" at start"]]  # its first phase, of which forces and accelerations do not change
-    if any(_is_of_state(mark, clause) for mark, clause in others) and not _is_continuous(names, main):
-        return
-    for mark, clause in others:
-        found = list(_at(names, mark, clause))
-        if not found:
-            return
-        tails.append([text for group in found for text in group])
-    if len(tails) > 1:  # said twice: in the lowest position, theta = 0
-        tails = [[text for text in tails[0] if all(text in own for own in tails)]]
-        if not tails[0] or others:
-            return
-    event = _event_within(names, main) if not tails else None
-    if event is not None:
-        head, conditions_ = event
-        for group, when in product(list(quantities(names, head)), conditions_):
-            pairs = product(group, when)
-            yield [ended(text, f" when {end}") for text, end in pairs if not end.startswith(f"{text} = ")]
-        return
-    if not tails:
-        yield from quantities(names, main)
-        return
-    for tail in _at(names, others[0][0], others[0][1]) if len(others) == 1 else iter(tails[:1]):
-        for group in quantities(names, main):
-            yield [ended(text, end) for text, end in product(group, tail) if not end.startswith(f" when {text} = ")]
+    return len(slides) == 1 == len(others) and bool(is_first) and not _is_continuous(names, main)
 
 
 def _at_most(names: Names, main: Clause) -> Clause:
@@ -251,13 +293,6 @@ def _at_most(names: Names, main: Clause) -> Clause:
         return main
     comes = bool(lookup.deflected(names, of)) or not lookup.rests(names)
     return Clause([Word("degree", "greatest"), *main.words]) if comes else main
-
-
-def _is_given(names: Names, clause: Clause) -> bool:
-    """Whether a clause says no more than that a body is fixed which the file fixes."""
-    of = [name for _, name in clause.names]
-    fixed = all(name in names.bodies and names.bodies[name].fixed for name in of)
-    return bool(of) and fixed and clause.only("name", "verb", "filler") and set(clause.all("verb")) <= {"hold"}
 
 
 def _is_of_state(mark: str, clause: Clause) -> bool:
@@ -275,7 +310,7 @@ def _may_settle(names: Names, sentence: Sentence) -> bool:
     doing = [own for mark, own in others if mark == "when"] or [main]
     stops = len(doing) == 1 and doing[0].all("verb") == ["stop"] and len(others) <= 1
     stops = stops and not any(own.has("instant") for own in (main, *doing))
-    return is_where and stops and lookup.rests(names) and not joining.is_rough(names)
+    return is_where and stops and lookup.rests(names) and not rubbing.is_rough(names)
 
 
 def _is_continuous(names: Names, main: Clause) -> bool:
@@ -462,151 +497,3 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
         return
     for group in conditions(names, clause):
         yield [f" when {condition}" for condition in group]
-
-
-def _event_within(names: Names, main: Clause) -> tuple[Clause, list[list[str]]] | None:
-    """A main clause that tells an event with the quantity there: with what speed does the ball hit the floor."""
-    verbs = main.all("verb")
-    if main.has("degree", "least", "greatest"):  # the least spin with which it comes back
-        return None
-    chosen = any(given.KIND_OF[quantity].ends_rest for quantity in main.all("quantity") if quantity in given.KIND_OF)
-    begins = {"start"} < set(verbs) <= {"start", "slide", "move", "tip", "roll", "fall", "rise", "turn"}
-    if main.has("ask", "with") and chosen and begins and lookup.rests(names):  # at which force does it begin to slip
-        return None
-    if main.has("ask", "with") and main.has("quantity", "acceleration") and set(verbs) <= {"slide", "roll"}:
-        return None
-    is_shaken = lookup.is_forced(names) and main.has("verb", "vanish") and len(main.all("quantity")) == 1
-    if main.has("ask", "with") and is_shaken:  # at what speed the vibration vanishes asks for that of the drive
-        return None
-    if main.has("ask", "with") and (joining.is_still(names) or _is_of_drive(names, main)):
-        return None
-    if main.has("not") or (main.has("ask", "large", "much") and set(verbs) == {"taut"}):  # how taut is it
-        return None
-    if main.has("ask", "with", "where") and (found_at := within.where_it_is(names, main)) is not None:
-        return found_at
-    if not set(verbs) & set(HAPPENS) and not (main.has("ask", "with") and set(verbs) & {"slide", "roll"}):
-        return None
-    if not (main.has("ask", "fast", "with", "where", "what", "large", "high") or main.has("quantity")):
-        return None
-    at_angle = [
-        word.what
-        for before, word in pairwise(main.words)
-        if before == Word("quantity", "angle") and word.kind == "name" and word.what in names.measures
-    ]
-    if at_angle:  # at what angle phi does it leave
-        main = Clause([w for w in main.words if w != Word("name", at_angle[0])])
-    if main.has("ask", "high"):  # above the ground, which is not what it leaves
-        main = Clause(_without_reference(main.words))
-    points = [name for _, name in main.names if name.partition(".")[0] in lookup.moving(names) and "." in name]
-    owner = points if len(points) == 1 and main.has("quantity", *MOTION) else []  # of whose velocity it is asked
-    told = ("name", "verb", "pronoun", "preposition", "updown", "value", "degree")
-    event = Clause([w for w in main.words if w.kind in told and w.what not in owner])
-    goes = [w for w in main.words if w.kind == "verb" and w.what in GOES_ON and set(verbs) & set(HAPPENS)]
-    found = list(conditions(names, event.without("degree")))
-    if not found and goes:  # how fast does it turn as it leaves: turning is of the question
-        found = list(conditions(names, Clause([w for w in event.words if w not in goes and w.kind != "degree"])))
-    else:
-        goes = []
-    if not found:
-        return None
-    who = next((name for _, name in event.names if name in lookup.moving(names) or name in names.measures), None)
-    who = owner[0] if owner else who
-    head = [w for w in main.words if w.kind in ("ask", "quantity", "part") or w in goes]
-    if who is None:
-        who = next((name for _, name in main.names if name in lookup.moving(names)), None)
-    if who is None and len(lookup.massive(names)) == 1:
-        who = lookup.massive(names)[0]  # what leaves the dome
-    is_high = main.has("ask", "high") or main.all("quantity") == ["height"]
-    if is_high and (touching := _of_what_touches(names, event)):
-        return Clause([Word("name", touching)]), found
-    if main.has("ask", "where") and not main.has("quantity"):
-        head = [Word("quantity", "position")]
-        if set(verbs) & {"slack", "taut"}:  # what a string leads round is told by the angle, not by how long that is
-            swung = [angle for angle in lookup.hung(names, who or "") if angle in lookup.angles(names, angle)]
-            return (Clause([Word("name", swung[0])]), found) if len(swung) == 1 else None
-    if main.has("quantity", "angle"):  # a place of the motion has a name: what has none is no angle of a motion
-        [angle, *_] = [*at_angle, *lookup.angles(names, who or ""), *lookup.angles(names, ""), ""]
-        return (Clause([Word("name", angle)]), found) if angle else None
-    return Clause([*head, *([Word("name", who)] if who else [])]), found
-
-
-def _of_what_touches(names: Names, event: Clause) -> str:
-    """The measure of how high the point of a body is that leaves something: the upper end that leaves the wall."""
-    named = [name for _, name in event.names]
-    who = [name for name in named if name in lookup.moving(names)]
-    joints = [name for name in named if name in names.connections]
-    if len(who) == 1 and not joints:
-        joints = joining.joints(names, who[0], next((name for name in named if name != who[0]), ""), "normal force")
-    points = [getattr(row.measure, "of", None) for row in names.constraint_rows if row.connection in joints]
-    heights = [name for name, sense in lookup.heights(names, "") if sense > 0]
-    found = [name for name in heights if getattr(names.measures[name], "of", None) in points]
-    return found[0] if event.has("verb", "leave") and len(joints) == len(found) == 1 else ""
-
-
-def _without_reference(words: list[Word]) -> list[Word]:
-    """Without `above the ground` before what happens."""
-    verb = next((k for k, word in enumerate(words) if word.kind == "verb"), 0)
-    said = (k for k in range(verb - 1) if words[k : k + 2] == [Word("preposition", "in"), Word("name", GROUND)])
-    k = next(said, None)
-    return words if k is None else [*words[:k], *words[k + 2 :]]
-
-
-def _is_of_drive(names: Names, main: Clause) -> bool:
-    """Whether the rate of a drive is meant: at which rpm a tappet, which cannot turn, leaves its cam."""
-    rates = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
-    turned = [name for _, name in main.names if joining.axle_of(names, name)]
-    return main.has("quantity", "angular velocity") and bool(rates) and not turned
-
-
-def without_course(names: Names, words: list[Word]) -> list[Word]:
-    """Words without what only says that something moves as it does, and without who is let go at the start: the
-    acceleration of the wedge while the block slides, that of the drum after the motor is switched on."""
-    kept = list(words)
-    for begin in [k for k, word in enumerate(words) if word.kind == "mark"][::-1]:
-        stops = (k for k in range(begin + 1, len(kept)) if kept[k].kind == "mark" or kept[k] == _COMMA)
-        end = next(stops, len(kept))
-        clause = Clause([w for w in kept[begin + 1 : end] if w.kind != "filler"])
-        is_empty = kept[begin].what == "while" and not clause.words and begin > 0  # while braking
-        is_fixed = kept[begin].what == "when" and begin > 0 and _is_given(names, clause.without("verb", "become"))
-        holding = {"conserved"} <= set(clause.all("verb")) <= {"conserved", "hold", "become"}
-        steady = holding and set(clause.all("quantity")) <= {"angular velocity", "velocity", "speed"}
-        if kept[begin].what == "to" and steady and joining.is_driven(names):  # to keep the speed that a motor has
-            kept = [*kept[:begin], *kept[end:]]
-            continue
-        passive = {"hold", "become"} <= set(clause.all("verb")) and not clause.has("value")
-        if passive and not is_fixed and kept[begin].what == "when" and clause.names:
-            return [*kept, Word("other", "held")]  # by a hand that the model has not: no instant of its motion
-        if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
-            kept = [*kept[:begin], *kept[end + (begin == 0) :]]
-    kept = without_striker(names, kept)
-    begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
-    for k in begins:
-        let_go = next((j for j in range(k + 1, len(kept)) if kept[j].kind != "filler"), len(kept))
-        pushes = let_go < len(kept) and kept[let_go].kind == "quantity" and kept[let_go].what in ("force", "torque")
-        if pushes and any(w.kind == "quantity" for w in kept[:k]):  # after the force is applied
-            kept = [*kept[:let_go], *kept[let_go + 1 :]]
-        others = [w.what for w in kept[:k] if w.kind == "name"]
-        own = kept[let_go : let_go + 1]
-        if (
-            own
-            and own[0].kind == "name"
-            and own[0].what in (*names.loads, *names.parameters, *lookup.moving(names))
-            and others
-        ):
-            return [*kept[:let_go], *kept[let_go + 1 :]]
-    return kept
-
-
-def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
-    """Whether a clause is of all of the motion: while it rolls, where nothing else can come."""
-    lasts = {"move", "roll", "turn", "fly", "fall", "rise", "accelerate", "exert"}
-    rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
-    lasts |= set[str]() if rubs else {"slide"}
-    goes_on = set(clause.all("verb")) <= lasts and clause.has("verb")
-    is_told = set(clause.all("verb")) <= {"slide"} and not rubs  # down the slope, as it does
-    clause = clause.without("preposition", "with")  # as it turns with the table
-    plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
-    own = [name for _, name in clause.names]
-    pushes = ("driving torque", "driving force")  # as a motor says, whatever touches it
-    is_led = bool(own) and all(any(joining.drivers(names, name, push) for push in pushes) for name in own)
-    return mark in ("while", "when") and goes_on and (joining.goes_on(names) or is_led) and plain

@@ -6,15 +6,13 @@ As in lookup.py, each function gives all that fit.
 from __future__ import annotations
 
 import math
-from collections.abc import Iterable
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import ZERO, Expr, free_symbols
-from freebody.measures.angle import Angle
+from freebody.language.expression import Expr
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, Components
-from freebody.questions.course import can_change, names_line, sticking
+from freebody.measures.geometry import GROUND
+from freebody.questions.course import names_line
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.lexicon import leading
 
@@ -23,44 +21,6 @@ if TYPE_CHECKING:
 
 _PAIR = 2  # supports that a side tells apart
 _LEVEL = 1e-9  # of a direction that is level, or straight up
-
-
-def rolls(names: Names) -> bool:
-    """Whether what dry friction acts on is round: that it does not slip is not that it is at rest."""
-    held = {body for joint in rough(names, "") for body in names.connections[joint].mentions(names)}
-    held = {name for name in held if not names.bodies[name].fixed}
-    return any(names.bodies[name].is_wheel or names.bodies[name].round for name in held)
-
-
-def rolls_on(names: Names) -> bool:
-    """Whether something round is all that dry friction acts on by its own surface, and no face of it."""
-    ends = [end for joint in rough(names, "") for end in ends_of(names, joint) if end in names.bodies]
-    free = [names.bodies[end] for end in ends if not names.bodies[end].fixed]
-    return any(body.is_wheel or body.round for body in free)
-
-
-def rough(names: Names, thing: str) -> list[str]:
-    """Connections with dry friction that are, or touch, a thing; all where none is named."""
-    joints_ = dict.fromkeys(
-        row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")
-    )
-    return [name for name in joints_ if not thing or touches(names, name, thing)]
-
-
-def is_all_that_slips(names: Names, body: str) -> bool:
-    """Whether all dry friction is that of a body."""
-    return bool(rough(names, "")) and rough(names, "") == rough(names, body)
-
-
-def drivers(names: Names, body: str, push: str = "driving torque") -> list[str]:
-    """Connections that say how the angle of a body, or its place (a driving force), goes with time."""
-    rows = [row for row in names.constraint_rows if row.reaction == push]
-    return [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == {body}]
-
-
-def is_led(names: Names) -> bool:
-    """Whether something says how all there is goes with time: a cam, a crank that a motor turns."""
-    return bool(driven(names)) and lookup.rests(names)
 
 
 def slots(names: Names) -> list[str]:
@@ -87,20 +47,6 @@ def holding_alone(names: Names, body: str) -> list[str]:
     return own if is_alone else []
 
 
-def drives_of(names: Names, joint: str) -> list[str]:
-    """Connections that say how what a joint lets free goes with time: they are between the same bodies."""
-    rows = [row for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
-    spec = names.connections.get(joint)
-    bodies = set[str]() if spec is None else spec.mentions(names) - {GROUND}
-    own = [row.connection for row in rows if {*row.measure.bodies()} - {GROUND} == bodies]
-    return [name for name in dict.fromkeys(own) if bodies]
-
-
-def is_driven(names: Names) -> bool:
-    """Whether something turns, or pushes, all the while: then what goes round is not taken down by its weight alone."""
-    return bool(lookup.driving(names)) or any(drivers(names, body) for body in lookup.moving(names))
-
-
 def strings_that_pull(names: Names) -> list[str]:
     """Strings that can do work by themselves: those of a given tension, and elastic ones."""
     return [load for load in names.loads if {"rope", "cable", "cord"} & {*names.called.get(load, ())}]
@@ -112,58 +58,9 @@ def joined_by(names: Names, connection: str) -> list[str]:
     return [body for body in lookup.moving(names) if spec is not None and body in spec.mentions(names)]
 
 
-def driven(names: Names) -> list[str]:
-    """Named measures of which a connection says how they go with time."""
-    own = [row.measure for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
-    return [name for name, measure in names.measures.items() if measure in own]
-
-
-def drive_parameters(names: Names) -> list[str]:
-    """The parameters by which connections say how something goes with time: Omega of a motor that follows Omega*t."""
-    laws = [row.target for row in names.constraint_rows if row.reaction in ("driving torque", "driving force")]
-    used = frozenset[str]().union(*(free_symbols(law) for law in laws if law is not None))
-    return [name for name in names.parameters if name in used]
-
-
-def driven_bodies(names: Names, parameter: str) -> set[str]:
-    """The bodies of which a connection says how they go with time, by a parameter."""
-    rows = (row for row in names.constraint_rows if row.reaction in ("driving torque", "driving force"))
-    return {
-        body
-        for row in rows
-        if row.target is not None and parameter in free_symbols(row.target)
-        for body in row.measure.bodies()
-    }
-
-
-def slipping(names: Names, things: list[str]) -> str | None:
-    """The only rough contact of all things that are named, where other contacts are rough as well."""
-    own = [thing for thing in things if thing in names.connections or thing in names.bodies or is_joined(names, thing)]
-    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in own)]
-    return found[0] if own and len(found) == 1 < len(rough(names, "")) else None
-
-
 def is_between(names: Names, connection: str) -> bool:
     """Whether a connection is between two bodies that move."""
     return len({*lookup.moving(names)} & names.connections[connection].mentions(names)) > 1
-
-
-def slipping_on(names: Names, placed: list[tuple[str, str]]) -> str | None:
-    """The only rough contact between two things that are named, each with its preposition: one on the other."""
-    of = [name for _, name in placed]
-    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in of)]
-    is_pair = len(of) == 2 and placed[1][0] in ("on", "relative", "along", "over", "in")
-    return found[0] if is_pair and len(found) == 1 else None
-
-
-def slipping_belt(names: Names, things: list[str]) -> str | None:
-    """The connection that is named alone and turns what it joins: that a belt does not slip is not that it rests."""
-    name = things[0] if len(things) == 1 and things[0] in names.connections else None
-    if name is None or name in rough(names, ""):
-        return None
-    with names.quietly():
-        _bounds, slips = names.connections[name].bounds(names, name)
-    return name if slips else None
 
 
 def led_round(names: Names) -> list[tuple[str, str]]:
@@ -247,10 +144,10 @@ def _leads_up(names: Names, joint: str) -> bool:
 
 
 def touches(names: Names, connection: str, thing: str) -> bool:
-    return _is_of(names, connection, thing.partition(".")[0])
+    return is_of(names, connection, thing.partition(".")[0])
 
 
-def _is_of(names: Names, connection: str, thing: str) -> bool:
+def is_of(names: Names, connection: str, thing: str) -> bool:
     if thing == connection:
         return True
     described = names.connections[connection]
@@ -279,7 +176,7 @@ def direction(names: Names, name: str) -> str | None:
 def guides(names: Names, body: str) -> list[str]:
     """Directions of the ground along which connections guide a body; one that joins it to the ground comes before a
     slot in which another one moves."""
-    joints_ = [name for name in names.connections if body in names.bodies and _is_of(names, name, body)]
+    joints_ = [name for name in names.connections if body in names.bodies and is_of(names, name, body)]
     of_ground = [name for name in joints_ if {*names.connections[name].mentions(names)} - {GROUND} == {body}]
     joints_ = of_ground or joints_
     return [along for along in (direction(names, name) for name in joints_) if along is not None]
@@ -368,73 +265,6 @@ def ends_of(names: Names, name: str) -> list[str]:
     return ends
 
 
-def planets(names: Names) -> list[str]:
-    """Gears with more meshes than one that turn about no axle of the ground."""
-    toothed = [body for row in names.constraint_rows if row.reaction == "tooth force" for body in row.measure.bodies()]
-    turning = lookup.turning(names)
-    return [body for body in turning if toothed.count(body) > 1 and not axle_points(names, body)]
-
-
-def axles(names: Names) -> list[str]:
-    """Connections that something turns about."""
-    return [name for name in names.connections if "axle" in names.called.get(name, ())]
-
-
-def bearings(names: Names) -> list[str]:
-    """Connections that carry something: no drive, and nothing that is made one with another thing."""
-    no_bearings = {"driver", "weld"}
-    return axles(names) or [name for name in names.connections if not no_bearings & {*names.called.get(name, ())}]
-
-
-def axle_points(names: Names, body: str, *, later: bool = False) -> set[Components]:
-    """The points of a body at which axles of the ground hold it, in its own axes. later: or will hold it, once they
-    have caught it."""
-    joints = axles(names) if later or not names.closing_later else []  # what is caught later has no axle before
-    if not lookup.places(names, body):  # of a shaft that nobody asks how far it slides
-        joints = [*joints, *(name for name in names.connections if "cylindrical" in names.called.get(name, ()))]
-    return _points_of(names, body, (name for name in joints if GROUND in names.connections[name].mentions(names)))
-
-
-def axle_points_on_level(names: Names, body: str) -> set[Components]:
-    """The points of a body at which axles of bodies that only move level hold it: of a pendulum on a cart."""
-    joints = () if names.closing_later else axles(names)
-    others = {name: names.connections[name].mentions(names) - {body} for name in joints}
-    return _points_of(names, body, (name for name in joints if all(keeps_height(names, one) for one in others[name])))
-
-
-def _points_of(names: Names, body: str, joints: Iterable[str]) -> set[Components]:
-    found: set[Components] = set()
-    for name in joints if body in names.bodies else ():
-        if _is_of(names, name, body):
-            own, ends = names.bodies[body], ends_of(names, name)
-            points = [end.partition(".")[2] or own.default_point for end in ends if end.partition(".")[0] == body]
-            found |= {own.points[point] for point in points if point in own.points}
-    return found
-
-
-def axle_of(names: Names, body: str) -> str:
-    """Where a body turns about an axle of the ground: at its mass `center` or `beside` it; else nothing."""
-    points = axle_points(names, body)
-    if not points:
-        return "center" if _is_coaxial(names, body) else ""
-    return "center" if names.bodies[body].points.get("mass_center") in points else "beside"
-
-
-def _is_coaxial(names: Names, body: str) -> bool:
-    """Whether a body is held at its centre by that of another one which turns about an axle of the ground: the wheel
-    of a differential in its carrier."""
-    for name in () if names.closing_later else axles(names):
-        others = names.connections[name].mentions(names) - {body, GROUND}
-        if len(others) == 1 and body in names.connections[name].mentions(names):
-            [other] = others
-            here = (
-                _points_of(names, one, [name]) == {names.bodies[one].points["mass_center"]} for one in (body, other)
-            )
-            if names.bodies[other].points["mass_center"] in axle_points(names, other) and all(here):
-                return True
-    return False
-
-
 def leaning(names: Names, body: str, *, level: bool) -> list[str]:
     """Contacts of a body with a line of the ground that is level, or with one that is upright."""
     found: list[str] = []
@@ -508,31 +338,6 @@ def is_joined(names: Names, name: str) -> bool:
     return name in names.connections or name in names.bodies[GROUND].lines
 
 
-def is_rough(names: Names) -> bool:
-    """Whether dry friction holds something."""
-    return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
-
-
-def rubs(names: Names) -> bool:
-    """Whether dry friction may take energy: not where what rolls never slips."""
-    held = {row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")}
-    return any(not any(kind.startswith("rolling") for kind in names.called.get(name, ())) for name in held)
-
-
-def can_stick(names: Names, body: str) -> bool:
-    """Whether something comes to rest by itself: a contact, or dry friction, sticks it to the ground."""
-    if body not in names.bodies:
-        return can_change(names)
-    return bool(sticking(names, body, (joint for joint in names.connections if touches(names, joint, body))))
-
-
-def is_held_by_friction(names: Names) -> bool:
-    """Whether friction helps to hold something: what can be held is then no measure of what can be lifted."""
-    with names.quietly():
-        gives = any(names.connections[name].bounds(names, name)[1] for name in names.connections)
-    return is_rough(names) or bool(threads(names, [])) or gives
-
-
 def can_turn(names: Names, thing: str) -> bool:
     """Whether a thing may roll: it is no body that cannot turn."""
     return thing not in names.bodies or names.bodies[thing].turns
@@ -550,33 +355,8 @@ def may_open(names: Names, connection: str) -> bool:
     return any(row.connection == connection and row.unilateral for row in names.constraint_rows)
 
 
-def is_still(names: Names) -> bool:
-    """Whether friction may hold all there is, and no motion is measured: then an event is none of a motion, it comes
-    where something given gets too large."""
-    return is_rough(names) and lookup.rests(names) and not names.measures and not driven(names)
-
-
-def is_carried(names: Names) -> bool:
-    """Whether friction may hold all there is on what a drive moves: the can on a truck that starts."""
-    return is_rough(names) and lookup.rests(names) and bool(drive_parameters(names))
-
-
 def is_at(names: Names, name: str, thing: str) -> bool:
-    return name in names.connections and _is_of(names, name, thing)
-
-
-def turned(names: Names, body: str) -> list[str]:
-    """Angles of how far a body has turned since the start: those that begin at zero."""
-    free = {
-        name
-        for name in lookup.moving(names)
-        if axle_of(names, name) == "center" and names.bodies[name].start.angle is None
-    }
-    plain = {
-        name for name, m in names.measures.items() if isinstance(m, Angle) and m.of in free and m.reference == ZERO
-    }
-    begun = names.started_at_zero | {name for name in plain if name not in names.placed_at_start}
-    return [name for name in lookup.angles(names, body) if name in begun]
+    return name in names.connections and is_of(names, name, thing)
 
 
 def meshes(names: Names) -> set[str]:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, given, joining, lookup
+from freebody.questions.spoken import along_lines, driving, given, joining, lookup, rubbing
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.frames import OSCILLATION
@@ -170,7 +170,7 @@ def loses_joint(names: Names, said: str, text: str) -> bool:
     return (
         bool(named and found)
         and not {*named} & {*found}
-        and not any({*joining.drives_of(names, joint)} & {*found} for joint in named)
+        and not any({*driving.drives_of(names, joint)} & {*found} for joint in named)
         and not any(tells_apart(name.lower(), ENGLISH) for name in named)
     )
 
@@ -221,9 +221,9 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
         return True
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
-        return "." not in thing and (joining.is_all_that_slips(names, body) or is_one)
+        return "." not in thing and (rubbing.is_all_that_slips(names, body) or is_one)
     if _SLIPS.search(text):  # the block slips on the belt, which is all that it touches
-        rough = [joint for other in things for joint in joining.rough(names, other)]
+        rough = [joint for other in things for joint in rubbing.rough(names, other)]
         return bool(rough) and all(joining.touches(names, joint, thing) for joint in rough)
     parameters = things & names.parameters.keys()
     if parameters and _TURNED_ROUND.search(text):
@@ -329,7 +329,7 @@ def _is_of(names: Names, thing: str, parameter: str) -> bool:
             places = [c for on in load.measure.bodies() for at in names.bodies[on].points.values() for c in at]
             if any(parameter in free_symbols(x) for x in (load.law, *(places if thing == load.load else ()))):
                 return True
-    if parameter in joining.drive_parameters(names) and body in joining.driven_bodies(names, parameter):
+    if parameter in driving.drive_parameters(names) and body in driving.driven_bodies(names, parameter):
         return True
     joints = [name for name in names.connections if name == thing or joining.touches(names, name, thing)]
     return any(

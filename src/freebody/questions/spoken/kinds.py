@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import ZERO
 from freebody.language.units import DIMENSIONLESS, ENERGY, FORCE, LENGTH, MASS, POWER, STIFFNESS, TIME, Dimension
 from freebody.language.units.dimension import ACCELERATION, ANGULAR_MOMENTUM, MOMENTUM, TORQUE, VELOCITY
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import driving, lookup, of_axles
 from freebody.questions.spoken.accounting import TURNED_ROUND
 from freebody.questions.spoken.lexicon import Word, measured_in
 from freebody.questions.spoken.sentence import parted
@@ -74,7 +74,7 @@ def is_of_kind(names: Names, words: Sequence[Word], text: str, asked: Iterable[Q
         allowed.add(DIMENSIONLESS)
     if Word("quantity", "compression") in said and "axial force of " in text:  # in a rod, which is none of its length
         allowed.add(FORCE)
-    if turned and turned["parameter"] in joining.drive_parameters(names):  # the speed of what turns
+    if turned and turned["parameter"] in driving.drive_parameters(names):  # the speed of what turns
         allowed |= {_OF_ANGLE[of] for of in allowed & _OF_ANGLE.keys()}
     if Word("verb", "accelerate") in main:  # at what rate it spins up
         allowed |= {ACCELERATION, _RATE_2}
@@ -99,7 +99,7 @@ def _named_behind_ask(names: Names, main: Sequence[Word]) -> str | None:
 def _turns_about_centre(names: Names, word: Word) -> bool:
     """Whether a word names a body whose centre rests on its axle: it has no speed but that of turning."""
     is_body = word.kind == "name" and word.what in lookup.moving(names)
-    return is_body and joining.axle_of(names, word.what) == "center"
+    return is_body and of_axles.axle_of(names, word.what) == "center"
 
 
 def _dimensions(word: Word) -> tuple[Dimension, ...]:

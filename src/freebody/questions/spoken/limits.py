@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
-from freebody.questions.spoken import given, joining, lookup, transmitting
+from freebody.questions.spoken import given, joining, lookup, rubbing, transmitting
 from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
@@ -37,7 +37,7 @@ _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
-    if joining.is_still(names) or joining.is_carried(names):  # the acceleration that can be reached
+    if rubbing.is_still(names) or rubbing.is_carried(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())
         words = [w for w in words if w.kind != "verb" or w.what not in light]
     is_tilted = "may" in modal and {Word("ask", "far"), Word("verb", "turn")} <= {*words}
@@ -82,7 +82,7 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     if clause.has("ask", "far", "high", "fast") and "may" not in modal and not begins:
         return  # how far something comes is no limit of rest
     lasts = _lasting(names, head, state, modal)
-    if "slide" in state.all("verb") and not joining.is_rough(names):
+    if "slide" in state.all("verb") and not rubbing.is_rough(names):
         return  # nothing can
     parameter = _parameter(names, head, [name for _, name in state.names if name in names.loads])
     if lasts is None or parameter is None or _is_lifted_by_choice(names, clause, parameter):
@@ -136,13 +136,13 @@ def _is_lifted_by_choice(names: Names, clause: Clause, parameter: str) -> bool:
     if all(kind.is_push for kind in kinds) and (kinds or not weighs):
         return False
     is_push = any(kind.is_push and kind.has(names.parameters[parameter]) for kind in given.KINDS)
-    return is_push or (rises and joining.is_held_by_friction(names))
+    return is_push or (rises and rubbing.is_held_by_friction(names))
 
 
 def _grip(names: Names, words: list[Word]) -> Groups:
     """From what torque on does the belt slip: the largest with which it does not, while it runs."""
     head, state = _parted(names, words)
-    rough = [*joining.rough(names, ""), *transmitting.having(names, "greatest belt force")]
+    rough = [*rubbing.rough(names, ""), *transmitting.having(names, "greatest belt force")]
     joints = [name for _, name in state.names if name in rough]
     alone = not joints and len(rough) == 1 and is_all_of(names, rough[0], [*head.names, *state.names])
     joints = rough if alone else joints
@@ -192,15 +192,15 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
     ]
     if any(names.bodies[name].fixed for name in bodies) or (joints and verbs & {"rise", "fall"}):
         return None  # what is held already
-    if bodies and not joining.is_rough(names) and _is_subject(state):
+    if bodies and not rubbing.is_rough(names) and _is_subject(state):
         return None  # that one of several bodies stays where it is
     is_lifted = verbs <= {"rise", "start"} and "rise" in verbs  # not along what it touches
-    if not is_lifted and (joint := joining.slipping(names, [name for _, name in state.names])) is not None:
+    if not is_lifted and (joint := rubbing.slipping(names, [name for _, name in state.names])) is not None:
         lasts = verbs <= {"slide", "start", "move"} and "slide" in verbs
         is_between = len(state.names) > 1 and verbs == {"hold"} and not state.has("not")
         return f"{joint} does not slip" if lasts or is_between else None
     holds = (
-        verbs & ({"hold", "stop"} if joining.is_rough(names) else {"hold"})
+        verbs & ({"hold", "stop"} if rubbing.is_rough(names) else {"hold"})
         or state.has("instant", "in equilibrium")
         or state.has("quantity", "equilibrium")
     )
@@ -216,19 +216,19 @@ def _lasting(names: Names, head: Clause, state: Clause, modal: set[str]) -> str 
         is_bounded = head.has("degree", "least", "greatest", "range") or head.has(
             "ask", "steep", "flat", "heavy", "rough", "fast", *(["small"] if head.has("quantity") else [])
         )
-        return _REST if modal and is_bounded and not state.words and joining.is_rough(names) else None
+        return _REST if modal and is_bounded and not state.words and rubbing.is_rough(names) else None
     if not ends:
         return None
     if {"tip", "slide"} <= ends <= _ENDS_REST:  # it neither slips nor tips
-        return _REST if is_denied and all(joining.is_all_that_slips(names, body) for body in bodies) else None
+        return _REST if is_denied and all(rubbing.is_all_that_slips(names, body) for body in bodies) else None
     if "tip" in ends:
         bodies = bodies or [name for _, name in head.names if name in names.bodies]
         alone = len(lookup.massive(names)) == 1 or (
-            bodies != [] and all(joining.is_all_that_slips(names, body) for body in bodies)
+            bodies != [] and all(rubbing.is_all_that_slips(names, body) for body in bodies)
         )
         return _NO_TIP if ends <= {"tip", "start", "move"} and alone else None
     if "slide" in ends:
-        if all(joining.is_all_that_slips(names, body) for body in bodies):
+        if all(rubbing.is_all_that_slips(names, body) for body in bodies):
             return _NO_SLIP
         return _REST if n_freedoms(names) == 1 and "start" in state.all("verb") else None  # all moves with it
     return _REST if not bodies or ("rise" in ends and not is_denied) else None
@@ -240,10 +240,10 @@ def _is_alone(names: Names, head: Clause) -> bool:
     if head.has("degree", "least"):
         return parameter in given.parameters(names, "friction coefficient", "")
     others = [name for _, name in head.names if name not in names.parameters and name not in names.loads]
-    if joining.is_still(names) and any(map(given.is_by_unit, head.all("quantity"))):  # acceleration of the car
+    if rubbing.is_still(names) and any(map(given.is_by_unit, head.all("quantity"))):  # acceleration of the car
         others = [name for name in others if not lookup.is_all_that_moves(names, name)]
     is_weight = len(others) == 1 and not head.has("quantity") and others[0] in names.bodies
-    return parameter is not None and joining.is_rough(names) and (not others or is_weight)
+    return parameter is not None and rubbing.is_rough(names) and (not others or is_weight)
 
 
 def _parameter(names: Names, head: Clause, against: list[str] | None = None) -> str | None:

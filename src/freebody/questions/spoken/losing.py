@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup, poses, strings
+from freebody.questions.spoken import driving, joining, lookup, poses, rubbing, strings
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.sentence import Sentence
 from freebody.questions.spoken.words import Clause
@@ -65,16 +65,16 @@ def runs_down(names: Names) -> list[str]:
 
 def comes_to_roll(names: Names) -> bool:
     """Whether what moves is one round body that slips on the one rough thing there is, and is not driven."""
-    return _slides_by_itself(names) and joining.rolls(names)
+    return _slides_by_itself(names) and rubbing.rolls(names)
 
 
 def comes_to_rest(names: Names) -> bool:
     """Whether what moves is one body that slides on the one rough thing there is, cannot roll, and is not driven."""
-    return _slides_by_itself(names) and not joining.rolls(names)
+    return _slides_by_itself(names) and not rubbing.rolls(names)
 
 
 def _slides_by_itself(names: Names) -> bool:
-    one = len(lookup.massive(names)) == 1 and len(joining.rough(names, "")) == 1
+    one = len(lookup.massive(names)) == 1 and len(rubbing.rough(names, "")) == 1
     driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
     return one and not lookup.rests(names) and not (driven or braked(names)) and not joining.goes_on(names)
 
@@ -94,10 +94,10 @@ def clutches(names: Names) -> list[str]:
 
 def taking_along(names: Names) -> list[str]:
     """The one rough contact in which one of two bodies that move takes the other along, where nothing drives them."""
-    rough = joining.rough(names, "")
+    rough = rubbing.rough(names, "")
     driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
     is_alone = len(rough) == 1 and joining.is_between(names, rough[0]) and len(lookup.massive(names)) == _PAIR
-    return rough if is_alone and not driven and not joining.is_driven(names) and not lookup.rests(names) else []
+    return rough if is_alone and not driven and not driving.is_driven(names) and not lookup.rests(names) else []
 
 
 def engaged(names: Names, _body: str = "") -> list[str]:
@@ -109,7 +109,7 @@ def engaged(names: Names, _body: str = "") -> list[str]:
 def in_balance(names: Names, of: str) -> list[str]:
     """The condition that something passes its equilibrium, where nothing accelerates it: of what is not damped, rubs
     nowhere, is not forced and has one measure."""
-    free = not (damped(names) or joining.rubs(names) or lookup.is_forced(names))
+    free = not (damped(names) or rubbing.rubs(names) or lookup.is_forced(names))
     measures = lookup.places(names, of) or lookup.angles(names, of) or lookup.hung(names, of)
     return [f"acceleration of {name} = 0" for name in measures if free and len(names.measures) == 1]
 
@@ -117,7 +117,7 @@ def in_balance(names: Names, of: str) -> list[str]:
 def fastest_at(names: Names, of: str) -> list[str]:
     """Where the only body that moves is fastest: where it passes its equilibrium, for what it has of kinetic energy has
     come from there."""
-    free = not (damped(names) or joining.rubs(names) or lookup.is_forced(names) or lookup.is_controlled(names))
+    free = not (damped(names) or rubbing.rubs(names) or lookup.is_forced(names) or lookup.is_controlled(names))
     free = free and not joining.strikes(names)
     measures = list(names.measures)
     swings = len(measures) == 1 and lookup.is_all_that_moves(names, of or next(iter(lookup.moving(names)), ""))

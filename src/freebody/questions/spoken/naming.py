@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import joining, lookup, motors, strings
+from freebody.questions.spoken import joining, lookup, motors, of_axles, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -93,8 +93,8 @@ def elements_of(names: Names) -> Elements:
     nodes = {name for name in free if links and not names.bodies[name].turns and _is_light(names, name)}  # of a truss
     for name, body in names.bodies.items():
         if name != GROUND:
-            is_shaft = joining.axle_of(names, name) == "center"
-            found.pinned |= {name} if joining.axle_of(names, name) else set()
+            is_shaft = of_axles.axle_of(names, name) == "center"
+            found.pinned |= {name} if of_axles.axle_of(names, name) else set()
             called = (*names.called.get(name, ()), *(_GEARS if name in toothed else ()))  # the ring gear
             kinds = _kinds(name, called, is_shaft=is_shaft, is_alone=is_alone)
             general = () if name in nodes else _OF_WHAT_IS_LIGHT if name in light else _BODY_WORDS
@@ -161,7 +161,7 @@ def elements_of(names: Names) -> Elements:
             found.add(excitation, said=f"{said} frequency", distance=INFERRED)
     for name, said in motors.called(names):
         found.add(name, said=said, distance=INFERRED)
-    for name in joining.planets(names):
+    for name in of_axles.planets(names):
         found.add(name, ("planet", "planets"))
     heavy = [name for name in found.bodies if names.bodies[name].mass != ZERO]
     if len(heavy) == 1 and not any("load" in element.words for element in found.exact.values()):

@@ -6,7 +6,18 @@ from typing import TYPE_CHECKING
 
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import at_joints, given, joining, lookup, of_springs, strings, transmitting
+from freebody.questions.spoken import (
+    at_joints,
+    driving,
+    given,
+    joining,
+    lookup,
+    of_axles,
+    of_springs,
+    rubbing,
+    strings,
+    transmitting,
+)
 from freebody.questions.spoken.composing import JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.words import Clause
 
@@ -70,15 +81,15 @@ def transmitted(names: Names, quantity: str, rest: Clause) -> Groups:
     pushes = _DRIVEN_BY.get(quantity, ())
     if pushes and not joints and rest.only("name", *SILENT) and len(rest.names) == 1:
         [(_, body)] = rest.names
-        driven = [f"{push} of {name}" for push in pushes for name in joining.drivers(names, body, push)]
+        driven = [f"{push} of {name}" for push in pushes for name in driving.drivers(names, body, push)]
         yield driven
         if driven and quantity.startswith("driving"):
             return
     if quantity in _DRIVES and len(joints) == len(rest.names) == 1:  # of what turns the cam
         [joint] = joints
-        turned = [body for body in joining.joined_by(names, joint) if joining.drivers(names, body, quantity)]
+        turned = [body for body in joining.joined_by(names, joint) if driving.drivers(names, body, quantity)]
         if turned and not any(row.connection == joint and row.reaction == quantity for row in names.constraint_rows):
-            yield [f"{quantity} of {name}" for body in turned for name in joining.drivers(names, body, quantity)]
+            yield [f"{quantity} of {name}" for body in turned for name in driving.drivers(names, body, quantity)]
             return
     loads = _turning(names, quantity, rest, joints)
     if loads:
@@ -132,7 +143,7 @@ def _kinds_meant(names: Names, quantity: str, rest: Clause, joints: set[str]) ->
         and len(rest.names) == 1
     ):
         kinds = ("force",)  # the force in a rope is no sum of what its parts pull with
-    bearings = [name for name in joining.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
+    bearings = [name for name in of_axles.axles(names) if all(joining.touches(names, name, x) for _, x in rest.names)]
     if quantity == "bearing reaction" and joints and joints <= joining.meshes(names):
         return ()  # teeth are no bearing
     if quantity == "bearing reaction" and bearings and not joints:  # of no rope that runs over what turns in it
@@ -263,7 +274,7 @@ def _braking(names: Names, quantity: str, rest: Clause) -> Groups:
     if brakes and rest.only("name", *SILENT):
         yield [f"force in {load}" for load in brakes if {*things} <= {load, lookup.acted_on(names, load)}]
         return
-    rough = [joint for joint in joining.rough(names, "") if "contact" in names.called.get(joint, ())]
+    rough = [joint for joint in rubbing.rough(names, "") if "contact" in names.called.get(joint, ())]
     if rough and rest.only("name", *SILENT):
         of = [joint for joint in rough if all(name == joint or joining.touches(names, joint, name) for name in things)]
         yield [f"friction force of {joint}" for joint in of]
@@ -297,4 +308,4 @@ def _of_friction(names: Names, quantity: str, rest: Clause) -> Groups:
     """What the only dry friction does, or that of something that is named."""
     of = [name for _, name in rest.names]
     if rest.only("name", *SILENT) and len(of) <= 1:
-        yield [f"work of {joint}" for joint in joining.rough(names, next(iter(of), ""))]
+        yield [f"work of {joint}" for joint in rubbing.rough(names, next(iter(of), ""))]

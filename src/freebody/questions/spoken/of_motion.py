@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, farthest, joining, lookup, losing, polar
+from freebody.questions.spoken import along_lines, driving, farthest, joining, lookup, losing, of_axles, polar
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -57,7 +57,7 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
         moving = lookup.moving(names)
         if not (quantity == "speed" or along or quantity.startswith("angular")):
             moving = _with_ends(names, lookup.of_places(names)) or moving
-        turned = [name for name in moving if joining.axle_of(names, name) == "center" and not end]
+        turned = [name for name in moving if of_axles.axle_of(names, name) == "center" and not end]
         plain = quantity.removeprefix("angular ")
         yield [
             f"angular {'velocity' if plain == 'speed' else plain} of {n}" if n in turned else f"{quantity} of {n}{end}"
@@ -71,13 +71,13 @@ def motion(names: Names, quantity: str, rest: Clause) -> Groups:
     if name in names.loads and quantity.split()[-1] in ("velocity", "speed"):  # of the motor: of what it drives
         acted = {body for p in names.applied_loads if p.load == name for body in p.measure.bodies()} - {GROUND}
         name = next(iter(acted)) if len(acted) == 1 else name
-        quantity = "angular velocity" if joining.axle_of(names, name) == "center" else quantity
+        quantity = "angular velocity" if of_axles.axle_of(names, name) == "center" else quantity
     carrier = along.removeprefix(" along ")
     if quantity == "velocity" and not relative and carrier in lookup.moving(names) and name != carrier:
         own = [m for m in lookup.places(names, name) if along_lines.is_along(names, m, carrier)]
         yield [f"rate of {m}" for m in own] or [f"{quantity} of {name} relative to {carrier}"]  # of what goes along it
         return
-    axle = joining.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
+    axle = of_axles.axle_of(names, name) if not end and not quantity.startswith("angular") else ""
     if quantity == "speed" and axle:  # what turns about its centre has no other speed
         yield [f"angular velocity of {name}", *([f"speed of {name}"] if axle == "beside" else [])]
         return
@@ -222,7 +222,7 @@ def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
     """How strongly something is slowed down: the size of its acceleration."""
     of = [name for _, name in rest.names]
     who = next(iter(of), "")
-    turns = quantity.startswith("angular") or joining.axle_of(names, who) == "center"
+    turns = quantity.startswith("angular") or of_axles.axle_of(names, who) == "center"
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
         yield [f"|acceleration of {measure}|" for measure in measures]
@@ -236,11 +236,11 @@ def slowed_most(names: Names, quantity: str, rest: Clause) -> Groups:
     is driven to and fro, against the way in which it goes. What may set out either way is refused."""
     of = [name for _, name in rest.names]
     who = next(iter(of), "")
-    if joining.driven(names) and rest.only("name", *SILENT) and who in lookup.moving(names) and len(of) == 1:
+    if driving.driven(names) and rest.only("name", *SILENT) and who in lookup.moving(names) and len(of) == 1:
         yield [f"greatest -tangential acceleration of {who}"] if not quantity.startswith("angular") else []
-    if joining.driven(names) or not rest.only("name", *SILENT) or len(of) > 1:
+    if driving.driven(names) or not rest.only("name", *SILENT) or len(of) > 1:
         return
-    turns = quantity.startswith("angular") or joining.axle_of(names, who) == "center"
+    turns = quantity.startswith("angular") or of_axles.axle_of(names, who) == "center"
     sloping = dict(lookup.inclined(names, who))
     for way in lookup.angles(names, who) if turns else lookup.places(names, who):
         falls = -sloping.get(way, 0) if names.lets_go_from_rest and not lookup.driving(names) else 0

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import given, joining, lookup, losing, transmitting
+from freebody.questions.spoken import driving, given, joining, lookup, losing, of_axles, rubbing, transmitting
 from freebody.questions.spoken.composing import ALONG, JOINT, SILENT, Groups, said_of
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
@@ -35,7 +35,7 @@ def _share(names: Names, quantity: str, rest: Clause) -> Groups:
     """Of what turns about its centre all energy is rotational; of what turns about another axle it is left open about
     which point it is meant."""
     of = [name for _, name in rest.names]
-    axles = {joining.axle_of(names, name) for name in of or lookup.moving(names)}
+    axles = {of_axles.axle_of(names, name) for name in of or lookup.moving(names)}
     if axles == {"center"} and quantity == "rotational energy":
         yield from _energy(names, "kinetic energy", rest)
     elif axles == {""}:
@@ -73,7 +73,7 @@ def _inertia(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in named if name not in about]
     if names.space and rest.has("part", "vertical") and not about:  # of what turns about an axle through its centre
         plain = rest.without("part", "vertical").only("name", *SILENT)
-        bodies = [body for body in of or lookup.massive(names)[:1] if joining.axle_of(names, body) == "center"]
+        bodies = [body for body in of or lookup.massive(names)[:1] if of_axles.axle_of(names, body) == "center"]
         yield [f"{quantity} of {body} along up" for body in bodies if plain]
         return
     if not rest.only("name", "pronoun", *SILENT) or len(about) > 1 or any(before == "along" for before, _ in named):
@@ -81,7 +81,7 @@ def _inertia(names: Names, quantity: str, rest: Clause) -> Groups:
     if Word("preposition", "about") in rest.words and not about and not rest.has("pronoun", "mass_center"):
         bodies = of or lookup.massive(names)[:1]  # about its pivot
         about = [
-            name for name in joining.axles(names) if names.connections[name].mentions(names) - {GROUND} == {*bodies}
+            name for name in of_axles.axles(names) if names.connections[name].mentions(names) - {GROUND} == {*bodies}
         ]
         if len(about) != 1:
             return
@@ -125,7 +125,7 @@ def _free_amplitude(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
     if lookup.is_forced(names):
         yield from _of_coordinate(names, "steady amplitude", rest)
-    elif rest.only("name", *SILENT) and len(of) <= 1 and not losing.damped(names) and not joining.is_rough(names):
+    elif rest.only("name", *SILENT) and len(of) <= 1 and not losing.damped(names) and not rubbing.is_rough(names):
         measures = [*lookup.places(names, next(iter(of), "")), *lookup.angles(names, next(iter(of), ""))]
         yield [f"(greatest {name} - least {name})/2" for name in measures]
 
@@ -161,16 +161,16 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "steady amplitude" and not lookup.is_forced(names):
         return
     if not of and quantity in lookup.FORCED and rest.only("name", *SILENT):
-        driven = joining.driven(names)  # an angle that goes round evenly does not swing
+        driven = driving.driven(names)  # an angle that goes round evenly does not swing
         yield [f"{quantity} of {name}" for name in names.measures if name not in driven]
     if not of and quantity in ("stroke", "time ratio") and rest.only(*SILENT):
-        angles = [name for name in lookup.angles(names, "") if name not in joining.driven(names)]
+        angles = [name for name in lookup.angles(names, "") if name not in driving.driven(names)]
         yield [
-            f"{quantity} of {name}" for name in lookup.places(names, "") or (angles if joining.driven(names) else [])
+            f"{quantity} of {name}" for name in lookup.places(names, "") or (angles if driving.driven(names) else [])
         ]
     if len(of) == 1 and rest.only("name", "instant", *SILENT):
         measures = lookup.places(names, of[0]) or lookup.angles(names, of[0])
-        measures = measures or ([f"angle of {of[0]}"] if joining.axle_of(names, of[0]) else [])
+        measures = measures or ([f"angle of {of[0]}"] if of_axles.axle_of(names, of[0]) else [])
         yield [f"{quantity} of {name}" for name in measures]
         guides = [] if measures else joining.guides(names, of[0])
         yield [f"{quantity} of position of {of[0]} along {guide}" for guide in guides]
@@ -202,7 +202,7 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
     """To what is named; or from the only measure that is driven to the only other one; from the force that shakes to
     that of all springs and dampers on the ground."""
     of = [name for _, name in rest.names]
-    driven = joining.driven(names)
+    driven = driving.driven(names)
     others = [name for name in names.measures if name not in driven]
     if len(of) == 1 and rest.only("name", *SILENT):
         yield [f"transmissibility to {of[0]}"]
@@ -217,7 +217,7 @@ def _transmissibility(names: Names, quantity: str, rest: Clause) -> Groups:
 def _terminal(names: Names, quantity: str, rest: Clause) -> Groups:
     """To what a velocity tends; what turns about its centre has no other than that of turning. What nothing keeps from
     going ever faster has the last one where its motion ends."""
-    turns = any(joining.axle_of(names, name) == "center" for _, name in rest.names) or quantity.endswith(
+    turns = any(of_axles.axle_of(names, name) == "center" for _, name in rest.names) or quantity.endswith(
         "angular velocity"
     )
     of = next((name for _, name in rest.names), "")
@@ -245,7 +245,7 @@ def _asked_ratio(names: Names, of: list[str]) -> str:
 
 def _only_goes(names: Names, body: str) -> bool:
     """Whether what is measured of a body is where it is, and not how it is turned, though it could turn as well."""
-    is_turned = bool(joining.axle_of(names, body) or lookup.angles(names, body))
+    is_turned = bool(of_axles.axle_of(names, body) or lookup.angles(names, body))
     return bool(lookup.places(names, body)) and not is_turned
 
 
@@ -268,7 +268,7 @@ def _gear_ratio(names: Names, quantity: str, rest: Clause) -> Groups:
             continue
         for a, b in product(lookup.places(names, first), lookup.places(names, second)):
             yield [f"ratio of velocity of {a} to velocity of {b}"]
-    two = [name for name in lookup.turning(names) if joining.axle_of(names, name) or names.space] if not of else []
+    two = [name for name in lookup.turning(names) if of_axles.axle_of(names, name) or names.space] if not of else []
     if len(two) > 2:  # of a train: its first and its last wheel
         driving = ("tooth force", "belt force", "chain force")
         meshes = dict.fromkeys(row.connection for row in names.constraint_rows if row.reaction in driving)

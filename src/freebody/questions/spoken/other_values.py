@@ -15,7 +15,7 @@ from freebody.errors import UnitError
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.language.units.quantity import Quantity, parse_quantity
-from freebody.questions.spoken import given, joining
+from freebody.questions.spoken import driving, given
 from freebody.questions.spoken.lexicon import languages, values_stated
 from freebody.questions.spoken.unchosen import is_unchosen, meant_by
 
@@ -85,7 +85,7 @@ def stated_values(names: Names, text: str) -> tuple[dict[str, str], str]:
                     return {}, text
                 values[name] = _with_unit(names, name, found["value"])
                 text = _cut(text, *found.span())
-    speeds = [name for name in joining.drive_parameters(names) if name not in values]
+    speeds = [name for name in driving.drive_parameters(names) if name not in values]
     found = next(_found("turning", text), None)
     if found is not None and (name := _alone(names, found["value"])) in speeds:
         values[name] = found["value"].replace("U/min", "rpm").replace("1/min", "rpm")

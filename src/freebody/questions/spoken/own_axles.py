@@ -6,7 +6,7 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import of_axles
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages
 from freebody.questions.spoken.naming import Elements, linked, plain_names
@@ -50,7 +50,7 @@ def _bodies(names: Names, elements: Elements, written: str) -> list[str]:
 
 def _carriers(names: Names, body: str) -> list[str] | None:
     """What carries the axle of a body: none where that is the ground; None where nothing holds it by an axle."""
-    held = [names.connections[name].mentions(names) for name in joining.axles(names)]
+    held = [names.connections[name].mentions(names) for name in of_axles.axles(names)]
     others = [found - {body, GROUND} for found in held if body in found]
     if not others:
         return None

@@ -8,7 +8,7 @@ from freebody.language.notation import to_python
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, of_axles
 from freebody.questions.spoken.composing import SILENT, Groups, said_of
 from freebody.questions.spoken.words import Clause
 
@@ -59,7 +59,7 @@ def of_belts(names: Names, name: str) -> list[str]:
     """The speed of a belt, or a chain: that of the rim of a pulley, of which it slips on none."""
     rows = [row for row in names.constraint_rows if row.connection == name and row.reaction in _RUNNING]
     pulleys = sorted({body for row in rows for body in row.measure.bodies()} - {GROUND})
-    radii = [(body, names.bodies[body].radius) for body in pulleys if joining.axle_of(names, body) == "center"]
+    radii = [(body, names.bodies[body].radius) for body in pulleys if of_axles.axle_of(names, body) == "center"]
     written = [(body, to_python(radius)) for body, radius in radii if radius is not None]
     named = [(body, radius) for body, radius in written if radius.isidentifier()]
     return [f"{radius}*|angular velocity of {body}|" for body, radius in named[:1]]
@@ -70,7 +70,7 @@ def _meant(names: Names, rest: Clause) -> list[str]:
     of = [name for _, name in rest.names]
     if not rest.only("name", *SILENT) or len(of) > 1:
         return []
-    plain = [body for body in lookup.massive(names) if not joining.axle_of(names, body)]
+    plain = [body for body in lookup.massive(names) if not of_axles.axle_of(names, body)]
     return [body for body in of if body in lookup.moving(names)] if of else plain if len(plain) == 1 else []
 
 
@@ -91,7 +91,7 @@ def _along_rods(names: Names, body: str) -> list[str]:
     """Measures of how far a body is along an axis of another one that turns about where it is measured from."""
     measured = [(name, m) for name, m in names.measures.items() if isinstance(m, Displacement) and m.of.body == body]
     turned = [(name, m) for name, m in measured if m.along.body == m.origin.body != GROUND]
-    return [name for name, m in turned if m.origin.offset in joining.axle_points(names, m.along.body)]
+    return [name for name, m in turned if m.origin.offset in of_axles.axle_points(names, m.along.body)]
 
 
 def _axis(names: Names, way: str, k: int) -> str:

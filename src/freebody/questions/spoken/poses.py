@@ -20,7 +20,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.curves import LevelPlace
-from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken import driving, joining, lookup, of_axles, strings
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -51,7 +51,7 @@ def tops(names: Names, body: str) -> list[str]:
     rising = dict.fromkeys(f"rate({name}) = 0" for name, sense in ways if lookup.rises(names, name, sense))
     turning_back = [f"rate({going.measure}) = 0" for going in _on_lines(names, body)]
     over = [] if lookup.rests(names) and turning_back else uppermost(names, body)  # what is let go does not go over
-    goes = joining.is_led(names) or (names.space and not names.lets_go_from_rest)
+    goes = driving.is_led(names) or (names.space and not names.lets_go_from_rest)
     led = [f"{name} is greatest" for name, sense in lookup.heights(names, body) if sense > 0 and goes]
     return [*rising] or [*over, *turning_back] or _flown(names, body) or named_by_file(names, body, 1) or led
 
@@ -107,7 +107,7 @@ def lowermost(names: Names, body: str) -> list[str]:
     is_led = body in names.bodies and joining.keeps_height(names, body)
     goes_round = body in lookup.turning(names) and bool(_conditions(names, body, -90.0))
     if is_led and not goes_round:  # of a cart: that is where the bob hangs
-        if joining.is_driven(names):  # of a piston there is none
+        if driving.is_driven(names):  # of a piston there is none
             return []
         body = ""
     round_ = _conditions(names, body, -90.0) or _on_curves(names, body, lowest=True)
@@ -121,7 +121,7 @@ def _swinging(names: Names, body: str) -> list[str]:
         return []
     weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
     hung = {*lookup.springs(names)} if lookup.heights(names, moving[0]) else set[str]()  # it goes up and down on them
-    is_free = weighs and len({*names.loads} - hung) == 1 and not joining.is_driven(names)
+    is_free = weighs and len({*names.loads} - hung) == 1 and not driving.is_driven(names)
     is_led = bool(hung) or (bool(lookup.angles(names, moving[0])) and not lookup.ways(names, moving[0]))
     if not is_free or not lookup.rests(names) or not is_led:
         return []
@@ -228,7 +228,7 @@ def upright(names: Names, body: str) -> list[str]:
     if _starts(names, body, -90.0):
         return []
     weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
-    both = [] if weighs and not joining.is_driven(names) else _conditions(names, body, 90.0)
+    both = [] if weighs and not driving.is_driven(names) else _conditions(names, body, 90.0)
     return [*lowermost(names, body), *both]
 
 
@@ -355,7 +355,7 @@ def _about_axles(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
             continue
-        pins = joining.axle_points(names, own.of, later=True) or joining.axle_points_on_level(names, own.of)
+        pins = of_axles.axle_points(names, own.of, later=True) or of_axles.axle_points_on_level(names, own.of)
         centre = names.bodies[own.of].points["mass_center"]
         if len(pins) != 1:
             continue

@@ -6,7 +6,7 @@ import re
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import dimensions, given, joining, lookup, losing, poses
+from freebody.questions.spoken import dimensions, given, joining, lookup, losing, of_axles, poses, rubbing
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
@@ -29,7 +29,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     who = next(iter(of), "")
     everything = all(lookup.is_all_that_moves(names, name) for name in of)
     plain = clause.only("verb", "name", "not", "quantity", "instant", *SILENT)
-    turns = {"turn"} if of and all(joining.axle_of(names, name) == "center" for name in of) else set[str]()
+    turns = {"turn"} if of and all(of_axles.axle_of(names, name) == "center" for name in of) else set[str]()
     if clause.has("degree") and not clause.has("value") and not clause.has("relation"):
         yield from _extremal(names, clause, whole)
         return
@@ -81,10 +81,10 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     if not plain:
         return
     if verbs == {"engage"} and not negated and clause.only("verb", *SILENT):  # both move together
-        between = [name for name in joining.rough(names, "") if joining.is_between(names, name)]
+        between = [name for name in rubbing.rough(names, "") if joining.is_between(names, name)]
         yield [f"{name} does not slip" for name in between]
         return
-    joint = joining.slipping(names, of) or joining.slipping_belt(names, of)
+    joint = rubbing.slipping(names, of) or rubbing.slipping_belt(names, of)
     slides = negated and "slide" in verbs <= {"slide", "start", "move"}
     if joint is not None and (slides or (verbs == {"hold"} and not negated and len(of) > 1)):
         yield [f"{joint} does not slip"]
@@ -102,7 +102,7 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         negated
         and "slide" in verbs
         and verbs <= {"slide", "start", "move"}
-        and all(joining.is_all_that_slips(names, name) for name in of)
+        and all(rubbing.is_all_that_slips(names, name) for name in of)
     ):
         yield ["it does not slip"]
     elif negated and verbs and verbs <= {"slide", "start", "move", "fall", "tip", *turns} and everything:
@@ -127,12 +127,12 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     is_one = holds and rests and len(of) == 1 and not everything
     if is_one and verbs == {"stop"} and joining.comes_to_strike(names):  # one of several that collide
         yield [f"velocity of {place} after the impact = 0" for place in lookup.places(names, who)]
-    elif is_one and not joining.is_rough(names):  # one of several bodies stays where it is
+    elif is_one and not rubbing.is_rough(names):  # one of several bodies stays where it is
         moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
         yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
     goes_up = verbs - {"start"} in ({"rise"}, {"fall"}) and not negated and len(of) == 1
     rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
-    if goes_up and lookup.rests(names) and not (rubs or joining.is_held_by_friction(names)):  # let go from rest
+    if goes_up and lookup.rests(names) and not (rubs or rubbing.is_held_by_friction(names)):  # let go from rest
         sense = 1 if "rise" in verbs else -1
         ways = lookup.sloping(names, lookup.places(names, who))
         yield [f"acceleration of {way} {'>=' if up == sense else '<='} 0" for way, up in ways]
@@ -377,7 +377,7 @@ def stands(names: Names, who: str) -> bool:
     """Whether a body stands on what it may leave: what turns over there tips."""
     return (
         who in names.bodies
-        and not joining.axle_of(names, who)
+        and not of_axles.axle_of(names, who)
         and any(joining.may_open(names, joint) and joining.touches(names, joint, who) for joint in names.connections)
     )
 
@@ -462,7 +462,7 @@ def _sides(names: Names, clause: Clause) -> tuple[Clause, str, str | Clause, str
         left = [w for w in words if w.kind in ("name", "part")]
         left = [Word(w.kind, lookup.acted_on(names, w.what)) if w.kind == "name" else w for w in left]
         of = [word.what for word in left if word.kind == "name"][:1] or lookup.massive(names)
-        kind = "angular acceleration" if all(joining.axle_of(names, body) for body in of) else "acceleration"
+        kind = "angular acceleration" if all(of_axles.axle_of(names, body) for body in of) else "acceleration"
         return Clause([Word("quantity", kind), *left]), "=", "0", tail
     words = [_as_sign(word, words[k + 1 : k + 2]) for k, word in enumerate(words)]
     signs = [k for k, word in enumerate(words) if word.kind == "relation"]

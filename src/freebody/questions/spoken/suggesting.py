@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import free_symbols
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import given, joining, lookup, of_axles, rubbing
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import is_verb, languages, phrases_at, quantity_words, tells_apart, things
@@ -182,7 +182,7 @@ def _askable(names: Names) -> Iterator[str]:
             yield from (f"angular {what} of {name}" for what in ("velocity", "acceleration", "momentum"))
     for name in names.loads:
         yield f"force in {name}"
-    rough, bound = bool(joining.rough(names, "")), any(row.unilateral for row in names.constraint_rows)
+    rough, bound = bool(rubbing.rough(names, "")), any(row.unilateral for row in names.constraint_rows)
     events = {"rolling begins": rough and lookup.can_roll(names), "slipping ends": rough, "contact opens": bound}
     for event in (event for event, is_possible in events.items() if is_possible):
         yield f"time when {event}"
@@ -266,7 +266,7 @@ def _efficiencies(names: Names, text: str) -> Iterator[str]:
         pairs = permutations(names.loads, 2)
         yield from (f"ratio of power of {load} to power of {other}" for load, other in pairs)
         members = [name for name, body in names.bodies.items() if name != GROUND and body.turns]
-        for driving, driven, held in permutations(members, 3) if joining.planets(names) else ():
+        for driving, driven, held in permutations(members, 3) if of_axles.planets(names) else ():
             yield f"efficiency from {driving} to {driven} with {held} held and basic efficiency 0.97"
 
 

@@ -8,7 +8,7 @@ from freebody.language.expression import free_symbols
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.solids import ROD
-from freebody.questions.spoken import joining, lookup, strings
+from freebody.questions.spoken import joining, lookup, rubbing, strings
 from freebody.questions.spoken.composing import SILENT
 from freebody.questions.spoken.words import Clause
 
@@ -100,7 +100,7 @@ def along_guide(names: Names, of: list[str]) -> list[str]:
     joints = [name for name in names.connections if joining.touches(names, name, of[0])]
     is_guided = bool(joints) and all("guide" in names.called.get(name, ()) for name in joints)
     own = {load.load for load in names.applied_loads if of[0] in load.measure.bodies()}
-    rough = any(joint in joining.rough(names, "") for joint in joints)
+    rough = any(joint in rubbing.rough(names, "") for joint in joints)
     return [name for name in lookup.springs(names) if name in own] if is_guided and not rough else []
 
 

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import given, joining, lookup, poses
+from freebody.questions.spoken import driving, given, joining, lookup, poses, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.so_that import so
@@ -153,25 +153,25 @@ def _leaving_by_choice(names: Names, clause: Clause) -> Groups:
     named = [name for _, name in clause.names if name in names.parameters]
     chosen = named or given.of_kind(names, asked[0])
     if not chosen and asked[0] in ("speed", "velocity"):  # that of the drive
-        chosen = [name for name in given.of_kind(names, "angular velocity") if name in joining.drive_parameters(names)]
+        chosen = [name for name in given.of_kind(names, "angular velocity") if name in driving.drive_parameters(names)]
     if len(chosen) != 1 or not 1 <= len(things) <= 2:
         return
-    rubs = [joint for joint in joining.rough(names, "") if all(joining.touches(names, joint, x) for x in things)]
-    if rubs and len(things) > 1 and chosen[0] in joining.drive_parameters(names):
+    rubs = [joint for joint in rubbing.rough(names, "") if all(joining.touches(names, joint, x) for x in things)]
+    if rubs and len(things) > 1 and chosen[0] in driving.drive_parameters(names):
         doing = {"slide"}  # it leaves what carries it round
     if (is_before and doing != {"slide"}) or doing == {"fly"}:
         return
     if doing == {"slide"}:
-        slipping = [thing for thing in things if thing not in joining.driven_bodies(names, chosen[0])]
-        is_one = bool(slipping) and all(joining.is_all_that_slips(names, thing) for thing in slipping)
-        is_one = is_one and chosen[0] in joining.drive_parameters(names)
+        slipping = [thing for thing in things if thing not in driving.driven_bodies(names, chosen[0])]
+        is_one = bool(slipping) and all(rubbing.is_all_that_slips(names, thing) for thing in slipping)
+        is_one = is_one and chosen[0] in driving.drive_parameters(names)
         yield [f"largest {chosen[0]} so that it does not slip"] if is_one else []
         return
     joints = joining.joints(names, things[0], things[-1], "")
     bound = [name for name in joints if joining.may_open(names, name)]
-    if chosen[0] in joining.drive_parameters(names):
+    if chosen[0] in driving.drive_parameters(names):
         yield [f"largest {chosen[0]} so that {joint} stays on" for joint in bound]
-    elif joining.is_still(names) or not bound:  # what holds on both sides lifts off where nothing presses
+    elif rubbing.is_still(names) or not bound:  # what holds on both sides lifts off where nothing presses
         yield [f"value of {chosen[0]} for which {text}" for text in joining.no_longer_pressed(names, joints, things)]
 
 
@@ -341,7 +341,7 @@ def _may_be(names: Names, ask: str, parameter: str) -> bool:
 
 def _speeds(names: Names, asked: str, of: list[str]) -> list[str]:
     """The speed with which something starts, or with which what is driven goes round."""
-    driven = [name for name in joining.drive_parameters(names) if set(of) <= joining.driven_bodies(names, name)]
+    driven = [name for name in driving.drive_parameters(names) if set(of) <= driving.driven_bodies(names, name)]
     driven = [name for name in driven if name in given.of_kind(names, asked)]
     if asked == "angular velocity" and (of or driven):
         return driven

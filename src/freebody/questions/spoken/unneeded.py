@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given, joining, lookup
+from freebody.questions.spoken import driving, given, joining, lookup, of_axles
 from freebody.questions.spoken.frames import OSCILLATION
 from freebody.questions.spoken.lexicon import Word
 
@@ -105,8 +105,8 @@ def is_driven(names: Names, words: Sequence[Word], k: int) -> bool:
     )
     is_named = is_led and k < len(words) and words[k].kind == "name"
     return is_named and any(
-        one in joining.driven_bodies(names, p)
-        for p in joining.drive_parameters(names)
+        one in driving.driven_bodies(names, p)
+        for p in driving.drive_parameters(names)
         for one in (words[k].what, *joining.joined_by(names, words[k].what))
     )
 
@@ -116,7 +116,7 @@ def is_pivot(names: Names, words: Sequence[Word], k: int) -> bool:
     said = [word for word in words[:k] if word.kind != "filler"]
     asked = [word.what for word in said if word.kind == "quantity"]
     is_led = said[-1:] == [Word("preposition", "about")] and asked[:1] != [] and asked[0] in OSCILLATION
-    axles = joining.axles(names) if is_led and k < len(words) and words[k].kind == "name" else []
+    axles = of_axles.axles(names) if is_led and k < len(words) and words[k].kind == "name" else []
     return any(words[k].what in (axle, *joining.ends_of(names, axle)) for axle in axles)
 
 

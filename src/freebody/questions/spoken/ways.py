@@ -10,7 +10,6 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken.assumed import without_what_holds
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.instants import without_course
 from freebody.questions.spoken.lexicon import (
     MARKED,
     Word,
@@ -29,6 +28,7 @@ from freebody.questions.spoken.several import paired
 from freebody.questions.spoken.strings import running_over
 from freebody.questions.spoken.suggesting import MOST
 from freebody.questions.spoken.symbols import spelt_out
+from freebody.questions.spoken.throughout import without_course
 from freebody.questions.spoken.wanted_unit import without_units
 from freebody.questions.spoken.weights import in_weights
 from freebody.questions.spoken.words import Unknown, in_own_letters, respelt, words_of

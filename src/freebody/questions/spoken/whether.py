@@ -10,7 +10,7 @@ import re
 from typing import TYPE_CHECKING
 
 from freebody.questions.course import can_change, connections_of, sticking
-from freebody.questions.spoken import joining, lookup
+from freebody.questions.spoken import joining, lookup, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.events import conditions
 from freebody.questions.spoken.lexicon import Word
@@ -66,7 +66,7 @@ def _states(names: Names, main: Clause) -> Groups:
     if verbs == {"remain"}:
         yield from _remaining(names, main, "" if who == "it" else who, negated=negated)
         return
-    if verbs == {"slide"} and who not in names.connections and not joining.rough(names, "" if who == "it" else who):
+    if verbs == {"slide"} and who not in names.connections and not rubbing.rough(names, "" if who == "it" else who):
         return
     if "end" not in verbs and verbs != {"taut"}:  # that slipping ends is no state, and what becomes taut was not
         yield from so(names, main, lambda *_: iter(()))
@@ -76,7 +76,7 @@ def _states(names: Names, main: Clause) -> Groups:
 
 def _stays_at_rest(names: Names) -> bool:
     """Whether what is at rest at the start is not let fall onto something."""
-    return lookup.rests(names) and (joining.is_rough(names) or not joining.comes_to_strike(names))
+    return lookup.rests(names) and (rubbing.is_rough(names) or not joining.comes_to_strike(names))
 
 
 def _stated(names: Names, condition: str, verbs: set[str], *, negated: bool) -> list[str]:
@@ -98,7 +98,7 @@ def _remaining(names: Names, main: Clause, who: str, *, negated: bool) -> Groups
     """It stays where it comes to rest: up a slope it does not slide back, and else it is enough that it stops."""
     if not main.only("verb", "name", "not", *SILENT) or len(main.names) > 1:
         return
-    sloping = lookup.inclined(names, who) if joining.is_rough(names) else []
+    sloping = lookup.inclined(names, who) if rubbing.is_rough(names) else []
     going_up = [way for way, sense in sloping if lookup.rises(names, way, sense)]  # what goes down does not turn back
     yield [f"{way} {'' if negated else 'never '}turns back" for way in going_up]
     if not going_up and not negated and _may_stick(names, who):

@@ -20,6 +20,7 @@ from freebody.questions.whether import Whether
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
+from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.numbers import number_instead
@@ -53,6 +54,12 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
     questions, no_place = placed(system, asked, solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}
+    begun = [early for q in questions if q.id in answers and (early := asked_at_start(q, answers[q.id])) is not None]
+    if begun:
+        answers |= {
+            a.id: with_start(answers[a.id], a, is_struck=system.is_struck)
+            for a in _solved(system, begun, setup).answers
+        }
     told = [
         with_place(q, with_other_turns(system, q, answers[q.id])) if q.id in answers else refused(q, no_place[q.id])
         for q in questions

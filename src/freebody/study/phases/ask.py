@@ -47,6 +47,7 @@ from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity
 
+_SHORT = 240  # of a note [characters]
 _FARTHER = 1e-6  # of the size: what is more than how exactly a simulation is seen
 _JUST_BEFORE = 1 - 1e-9  # of the time of a change: before anything jumps in it
 NOT_UNTIL = Message(
@@ -234,6 +235,8 @@ def _of_branches(tree: PhaseTree, question: Question, found: list[AnswerBranch])
         compare(tree, question, found[0])  # says why
     parts = _merged([found[k] for k in evidence])
     answer = _answer(tree, question, parts, list(evidence.values()))
+    if len(rare) > 1 or any(len(told) > _SHORT for told in rare):  # conditions that nobody reads
+        rare = [Message("rare cases are not told, for which too few checks against the numeric route could be made")]
     return replace(answer, notes=(*answer.notes, *rare))
 
 

@@ -123,7 +123,7 @@ class BodySections:
         taken |= (
             given.keys() | self.source.mapping("bodies").keys() | ground.lines.keys() | self.names.parameters.keys()
         )
-        named = set(_texts(self.source.data.get("connections")))
+        named = {text.removeprefix(f"{GROUND}.") for text in _texts(self.source.data.get("connections"))}
         return [name for name in _FLAT if name in named and name not in taken]
 
     def _with_points(self, entry: dict[str, Any], known: Collection[str]) -> dict[str, Any]:
