@@ -46,6 +46,10 @@ _OF_BOTH = re.compile(  # but not what both have in common
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
 _PLACE_WHEN = re.compile(r"[^\W\d]\w* when ")
+_GIVEN_TURNED = re.compile(
+    r"(?:value|range) of (?P<parameter>\w+) for which \|?(?:force|torque) (?:in|of) (?P<load>\w+)\|? "
+    r"(?:is (?:least|largest)|=)"
+)
 _CALLED_JOINT = re.compile(  # the bearing A
     r"\b(?:bearing|hinge|pin|joint|support|axle|pivot|Lager|Auflager|Gelenk|Bolzen|Achse) ([^\W\d]\w*)\b(?!\.)"
 )
@@ -75,11 +79,12 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     begins_with_blow = joining.is_struck_at_start_alone(names)
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
-    if {*_ENDS} & {*words} and Word("instant", "in steady motion") in words:  # what is steady has no extreme
+    is_steady = Word("instant", "in steady motion") in words and not text.startswith("steady amplitude of ")
+    if {*_ENDS} & {*words} and is_steady:  # what is steady has no extreme
         return False
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
-    if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and _moves_nowhere(names):
+    if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):
         return False  # what stands still is nowhere else when a force is least: another angle is meant
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
@@ -87,6 +92,11 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads
     ):  # what is given stays as it is: another one is asked for
         return False
+    if (turned := _GIVEN_TURNED.match(text)) and any(
+        load.load == turned["load"] and free_symbols(load.law) <= names.parameters.keys() - {turned["parameter"]}
+        for load in names.applied_loads
+    ):
+        return False  # nor does it change with another parameter
     if not chooses_of_what_is_asked(names, words, text):
         return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
@@ -111,9 +121,9 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     return all(number in numbers for number in told)
 
 
-def _moves_nowhere(names: Names) -> bool:
+def moves_nowhere(names: Names) -> bool:
     """Whether the only body is held by as many constraints as it has freedoms, and driven by none."""
-    return len(lookup.moving(names)) == 1 and n_freedoms(names) <= 0 and not joining.driven(names)
+    return len(lookup.moving(names)) == 1 and n_freedoms(names) <= 0 and not driving.driven(names)
 
 
 def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> bool:
@@ -219,6 +229,8 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
         return True
     if text == "natural frequency" and body in lookup.moving(names):  # or it is told that there are several
         return True
+    if _OF_ALL.search(text) and thing in names.loads and thing not in names.parameters and _acted_at(names, thing):
+        return all(lookup.is_all_that_moves(names, own) for own in _bodies(names, thing) - {GROUND})  # the man on it
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (rubbing.is_all_that_slips(names, body) or is_one)

@@ -36,6 +36,7 @@ _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not 
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
+    modal = modal - {"may"} if "must" in modal else modal  # how large must it be so that he can stand
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     if rubbing.is_still(names) or rubbing.is_carried(names):  # the acceleration that can be reached
         light = {"reach", "accelerate"} | ({"move"} if Word("ask", "fast") in words and "may" in modal else set[str]())

@@ -1,7 +1,6 @@
 """Which way a vector points: the direction of the reaction at A, the angle of the hinge force to the horizontal.
 
-What is of the angle is read by itself, and is a vector or nothing that points. Patterns: `vector_...` in the contexts of a
-language.
+What points so is read by itself, and has to be a vector. Patterns: `vector_...` in the contexts of a language.
 """
 
 from __future__ import annotations

@@ -21,6 +21,9 @@ _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.u
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
+    if resting := _resting_as_slip_ends(names, clause):
+        yield resting
+        return
     clause = _timed_by_equation(names, _stopping_after(names, clause))
     verbs, negated = set(clause.all("verb")), clause.has("not")
     if "end" in verbs:  # it no longer slips
@@ -150,6 +153,18 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
+
+
+def _resting_as_slip_ends(names: Names, clause: Clause) -> list[str]:
+    """It comes to rest when slipping ends: it has no speed where it would begin to roll."""
+    marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
+    if len(marks) != 1 or not losing.comes_to_roll(names):
+        return []
+    head, tail = Clause(clause.words[: marks[0]]), Clause(clause.words[marks[0] + 1 :])
+    ends = "slide" in tail.all("verb") and {"end", "stop"} & {*tail.all("verb")}
+    stops = head.has("verb", "stop", "hold") and not head.has("not") and head.only("name", "verb", *SILENT)
+    who = next((name for _, name in head.names), "")
+    return [f"velocity of {way} when rolling begins = 0" for way in lookup.places(names, who)] if ends and stops else []
 
 
 def _stopping_after(names: Names, clause: Clause) -> Clause:

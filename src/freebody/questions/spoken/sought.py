@@ -21,6 +21,7 @@ from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken import given, turning_round
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.keeping import moves_nowhere
 from freebody.questions.spoken.lexicon import contexts, languages
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.ways import ways_to_mean
@@ -31,6 +32,7 @@ if TYPE_CHECKING:
 _TURNED = re.compile(r"(?:value|range|least|largest|critical damping)(?: of)? (?P<parameter>[^\W\d]\w*)\b")
 _NUMBER = re.compile(r"(?<![\w.])-?\d[\d.,]*(?:e[+-]?\d+)?")
 _EVENT = re.compile(r"(?P<of>.+?)(?P<when> (?:at start|when .+|at t = .+|after .+|until .+))?")
+_NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|degrees|damping|stability) |\b(?:for which|so that|that keeps) ")
 _UNIT_WORDS = 3  # of a unit that is written apart: 30 N m
 _LONGEST = 8  # words for a parameter
 _ARTICLES = ("a", "A", "I")  # which are words before they are symbols
@@ -117,11 +119,13 @@ def _equal(names: Names, told: Told, said: Callable[[str], str]) -> Iterator[str
         if not what.strip() or re.search(rf"(?<![\w.]){re.escape(told.parameter)}(?![\w.])", f"{what} {when}"):
             continue
         read = said(f"{what.strip()} {when}".strip())
-        each = [_EVENT.fullmatch(one) for one in read.split(JOINT)] if read else []
+        each = [_EVENT.fullmatch(one) for one in read.split(JOINT) if not _NO_QUANTITY.search(one)] if read else []
+        each = [one for one in each if one and (one["when"] or one["of"] not in names.measures)]  # a place that changes
         value = state[begin:end].strip()
-        yield JOINT.join(
-            f"value of {told.parameter} for which {one['of']} = {value}{one['when'] or ''}" for one in each if one
-        )
+        if each:
+            yield JOINT.join(
+                f"value of {told.parameter} for which {one['of']} = {value}{one['when'] or ''}" for one in each if one
+            )
 
 
 def _values(names: Names, text: str) -> Iterator[tuple[int, int]]:
@@ -158,8 +162,11 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
     if len(keyed) == 1:
         return keyed[0]
     for meaning in ways_to_mean(names, contexts(language)["sought_what"].format(what=what)):
-        if len(found := turning_round.parameter_of(names, list(meaning.words))) == 1:
-            return found[0]
+        found = turning_round.parameter_of(names, list(meaning.words))
+        if len(found) == 1 and (not names.parameters[found[0]].is_angle or moves_nowhere(names)):
+            return found[0]  # an angle of what moves is its own
+    if _pattern(language, "sought_push").match(what) and len(forces := given.of_kind(names, "force")) == 1:
+        return forces[0]  # the load at the tip, where nothing else is a force
     return None
 
 
