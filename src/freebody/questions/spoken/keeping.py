@@ -21,7 +21,7 @@ from freebody.questions.spoken import along_lines, driving, given, joining, look
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.frames import OSCILLATION
-from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
+from freebody.questions.spoken.lexicon import ENGLISH, Word, contexts, languages, tells_apart
 from freebody.questions.spoken.unneeded import is_unneeded
 
 if TYPE_CHECKING:
@@ -50,6 +50,7 @@ _GIVEN_TURNED = re.compile(
     r"(?:value|range) of (?P<parameter>\w+) for which \|?(?:force|torque) (?:in|of) (?P<load>\w+)\|? "
     r"(?:is (?:least|largest)|=)"
 )
+_OF_TENSION = re.compile(r"\b(?:tension|axial force) of [\w.]+(?: at [\w.]+)? [<>]?=? ?\d")
 _CALLED_JOINT = re.compile(  # the bearing A
     r"\b(?:bearing|hinge|pin|joint|support|axle|pivot|Lager|Auflager|Gelenk|Bolzen|Achse) ([^\W\d]\w*)\b(?!\.)"
 )
@@ -170,6 +171,17 @@ def loses_height(names: Names, said: str, text: str) -> bool:
         or risen
         or (text.startswith("time when ") and _BEYOND.match(said) is not None)
     )
+
+
+def is_pressed(said: str) -> bool:
+    """Whether a text speaks of compression, in which the force of a bar has the other sign."""
+    told = (contexts(language).get("pressed") for language in languages())
+    return any(one is not None and re.search(one, said, re.IGNORECASE) for one in told)
+
+
+def loses_sign(said: str, text: str) -> bool:
+    """Whether a tension of so many newtons stands for a compressive force of as many."""
+    return _OF_TENSION.search(text) is not None and is_pressed(said)
 
 
 def loses_joint(names: Names, said: str, text: str) -> bool:

@@ -21,7 +21,7 @@ from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken import given, turning_round
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.keeping import moves_nowhere
+from freebody.questions.spoken.keeping import is_pressed, moves_nowhere
 from freebody.questions.spoken.lexicon import contexts, languages
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.ways import ways_to_mean
@@ -122,6 +122,8 @@ def _equal(names: Names, told: Told, said: Callable[[str], str]) -> Iterator[str
         each = [_EVENT.fullmatch(one) for one in read.split(JOINT) if not _NO_QUANTITY.search(one)] if read else []
         each = [one for one in each if one and (one["when"] or one["of"] not in names.measures)]  # a place that changes
         value = state[begin:end].strip()
+        is_opposite = is_pressed(what) and read.startswith(("tension of ", "axial force of "))
+        value = f"-{value}" if is_opposite and not value.startswith("-") else value
         if each:
             yield JOINT.join(
                 f"value of {told.parameter} for which {one['of']} = {value}{one['when'] or ''}" for one in each if one

@@ -26,6 +26,7 @@ from freebody.questions.spoken.keeping import (
     loses_height,
     loses_joint,
     loses_other,
+    loses_sign,
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
@@ -488,6 +489,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
