@@ -62,7 +62,7 @@ def before_its_kind(elements: Elements, text: str) -> str:
 
 
 def _put_first(elements: Elements, said: re.Match[str]) -> str:
-    lies = (said["side"], said["thing"]) in elements.spoken
+    lies = (said["side"], said["thing"]) in elements.sides
     return f"{said['side']} {said['thing']}" if lies else said[0]
 
 

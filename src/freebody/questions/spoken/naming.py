@@ -139,6 +139,7 @@ def elements_of(names: Names) -> Elements:
             found.add(name, _ROPES)
     for name, said in by_side.by_side(names):
         found.add(name, said=said, distance=INFERRED)
+        found.sides.add((said.partition(" ")[0], said.rpartition(" ")[2]))
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):
