@@ -279,6 +279,13 @@ def by_key(names: Names, words: list[str]) -> list[str]:
     return [*found]
 
 
+def teeth(names: Names, of: str) -> list[str]:
+    """Parameters that are numbers of teeth: of the body that is named, whose radius they tell."""
+    radius = names.bodies[of].radius if of in names.bodies else None
+    own = frozenset[str]() if radius is None else free_symbols(radius)
+    return [name for name in sorted(names.counts) if not of or name in own]
+
+
 def load_of(names: Names, parameter: str) -> str:
     """The only load that pushes, or turns, with what a parameter says; nothing where there is none, or several."""
     loads = {push.load for push in names.applied_loads if push.law in (Symbol(parameter), negate(Symbol(parameter)))}

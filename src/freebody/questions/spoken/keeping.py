@@ -93,8 +93,9 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads
     ):  # what is given stays as it is: another one is asked for
         return False
+    chosen = {p.name for p in names.parameters.values() if p.value is not None}  # the others balance a load
     if (turned := _GIVEN_TURNED.match(text)) and any(
-        load.load == turned["load"] and free_symbols(load.law) <= names.parameters.keys() - {turned["parameter"]}
+        load.load == turned["load"] and free_symbols(load.law) <= chosen - {turned["parameter"]}
         for load in names.applied_loads
     ):
         return False  # nor does it change with another parameter

@@ -21,7 +21,8 @@ def pointing(text: str, said: Callable[[str], str]) -> str:
     for language in languages():
         if "vector_angle" not in contexts(language):
             continue
-        asks = _pattern(language, "vector_angle").match(text.strip(" ?.!"))
+        asked = (_pattern(language, key).match(text.strip(" ?.!")) for key in ("vector_angle", "vector_acts"))
+        asks = next((one for one in asked if one is not None), None)
         if asks is None:
             continue
         read = said(asks["of"])

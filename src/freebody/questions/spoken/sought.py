@@ -116,7 +116,12 @@ def _equal(names: Names, told: Told, said: Callable[[str], str]) -> Iterator[str
         joined = _pattern(told.language, "sought_equals").search(state[:begin])
         what = state[: joined.start()] if joined is not None else state[:begin]
         when = state[end:].strip(" ,")
-        if not what.strip() or re.search(rf"(?<![\w.]){re.escape(told.parameter)}(?![\w.])", f"{what} {when}"):
+        is_whole = not re.search(r"[=<>*/^+]", what) and (not state[end:] or state[end] in " ,")
+        if (
+            not is_whole
+            or not what.strip()
+            or re.search(rf"(?<![\w.]){re.escape(told.parameter)}(?![\w.])", f"{what} {when}")
+        ):
             continue
         read = said(f"{what.strip()} {when}".strip())
         each = [_EVENT.fullmatch(one) for one in read.split(JOINT) if not _NO_QUANTITY.search(one)] if read else []
@@ -167,6 +172,9 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
         found = turning_round.parameter_of(names, list(meaning.words))
         if len(found) == 1 and (not names.parameters[found[0]].is_angle or moves_nowhere(names)):
             return found[0]  # an angle of what moves is its own
+    if (toothed := _pattern(language, "sought_teeth").fullmatch(what)) is not None:
+        counts = given.teeth(names, toothed["of"] or "")
+        return counts[0] if len(counts) == 1 else None
     if _pattern(language, "sought_push").match(what) and len(forces := given.of_kind(names, "force")) == 1:
         return forces[0]  # the load at the tip, where nothing else is a force
     return None
