@@ -564,7 +564,6 @@ def test_a_truck_that_is_led_along_x_and_carried_by_nothing_falls() -> None:
     assert not [w for w in fb.System.from_text(upright).warnings if w.kind == "led and falling"]
 
 
-<<<<<<< HEAD
 PITCHING = """
 parameters: {m: 200 kg, L: 2 m, k1: 20 kN/m, k2: 30 kN/m}
 ground: {points: {O: [0, 0], A: [-L/2, -0.5 m], B: [L/2, -0.5 m]}}
@@ -582,7 +581,8 @@ def test_what_stands_on_two_springs_may_be_meant_to_pitch_where_a_point_of_it_is
     assert "although springs pull at several points of it" in told
     assert "slot: {pin: beam.center" in told
     assert not warned(PITCHING.replace("GUIDED", "beam"))
-=======
+
+
 TRAIN = """
 bodies:
   sun: {gear: {teeth: 24, module: 2 mm}}
@@ -646,4 +646,3 @@ def test_a_contact_in_which_nothing_presses_is_told() -> None:
     assert weight in told
     assert warned(f"{text}{weight}\n") == []
     assert warned(text.replace("2 kg}", "2 kg}, velocity: [1 m/s, 0]")) == []
->>>>>>> hC

@@ -57,15 +57,12 @@ from freebody.questions.turned_round import (
     RangeFor,
 )
 
-<<<<<<< HEAD
 _AS_FUNCTION = re.compile(
     r"(?P<what>.+?),? (?:as (?:a )?function of|als Funktion (?:von|der|des)|in Abhängigkeit (?:von|der|des)) (?:the )?"
     r"(?P<of>\w+) ?[?.]?",
     re.IGNORECASE,
 )
-=======
 KEYS_OF_QUESTIONS = ("find", "id", "when", "options", "key", "text", "points")
->>>>>>> hC
 
 
 @dataclass(frozen=True)

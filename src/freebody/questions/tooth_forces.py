@@ -75,12 +75,17 @@ def _part(names: Names, found: Found, path: Path) -> Quantity | None:
         parts = names.connections[of].parts(names)
     if part not in parts:
         known = listed([f"{one} tooth force of {of}" for one in parts])
-        told = (
-            Message("{of} has no {part} tooth force without a pressure_angle; ask for: {known}", of=of, part=part,
-                    known=known)
-            if parts
-            else Message("{of} has no teeth", of=of)
-        )  # fmt: skip
+        if not parts:
+            told = Message("{of} has no teeth", of=of)
+        elif getattr(names.connections[of], "pressure_angle", None) is None:
+            told = Message(
+                "{of} has no {part} tooth force without a pressure_angle; ask for: {known}",
+                of=of,
+                part=part,
+                known=known,
+            )
+        else:
+            told = Message("{of} has no {part} tooth force; ask for: {known}", of=of, part=part, known=known)
         names.problem(told, *path)
         return None
     row = next(row for row in names.constraint_rows if row.connection == of and row.reaction == TOOTH_FORCE)

@@ -38,17 +38,13 @@ from freebody.system.reading.hanging import hang_what_is_struck
 from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.lying import tell_what_lies_level
-<<<<<<< HEAD
-from freebody.system.reading.measures import add_place_of_the_only_body, add_turned_at_start, read_measures
-from freebody.system.reading.misspelt import told_by_what_is_meant
-=======
 from freebody.system.reading.measures import (
     add_place_of_the_only_body,
     add_turned_at_start,
     driven_from_zero,
     read_measures,
 )
->>>>>>> hS
+from freebody.system.reading.misspelt import told_by_what_is_meant
 from freebody.system.reading.nodes import with_pins_of_nodes
 from freebody.system.reading.parameters import read_parameters
 from freebody.system.reading.sections import CLOSES

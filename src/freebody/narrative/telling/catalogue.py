@@ -31,13 +31,8 @@ from freebody.narrative.words import languages, tables_of
 from freebody.present.report.blocks import Emphasis, Formula, Piece, Reference, Relation, Text
 from freebody.present.report.words import ENGLISH
 
-<<<<<<< HEAD
 _KEY = re.compile(r"(reaction|joint|axis|kind)\.[a-z _]+")
-_PLACE = re.compile(r"\{(\w+)\}")
-=======
-_KEY = re.compile(r"(reaction|axis|kind)\.[a-z _]+")
 _PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
->>>>>>> hD
 _OF_MODELS = "en"  # the language of model files and of the layers below
 _FIRST = {"text": "happening", "event": "happening"}  # the phrases that a place asks for before all others
 SYMBOL = re.compile(rf"(?:[A-Za-z]|{'|'.join(sorted(LETTER_OF, key=len, reverse=True))})(?:_?\d+|_[A-Za-z0-9])?")

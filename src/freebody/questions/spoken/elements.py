@@ -34,6 +34,7 @@ class Elements:
     space: bool = False
     bodies: set[str] = field(default_factory=set[str])  # that move
     touching: dict[str, frozenset[str]] = field(default_factory=dict[str, frozenset[str]])  # bodies, by connection
+    sides: set[tuple[str, str]] = field(default_factory=set[tuple[str, str]])  # at which of several things one lies
     hanging: frozenset[str] = frozenset()  # bodies that strings alone hold, straight below them
     turning: set[str] = field(default_factory=set[str])  # bodies that move and turn
     pinned: set[str] = field(default_factory=set[str])  # bodies that turn about an axle of the ground

@@ -37,7 +37,14 @@ HAPPENS = (  # verbs of what comes at an instant; the others are of what goes on
     *("vanish", "top", "bottom", "begin_roll", "engage", "run_off", "bounce", "lock"),
 )
 _WAYS = ("distance", "displacement", "distance travelled", "angle", "height")
-POSES = {"horizontal": poses.level, "vertical": poses.upright, "upright": poses.uppermost}
+POSES = {
+    "horizontal": poses.level,
+    "vertical": poses.upright,
+    "upright": poses.uppermost,
+    "hanging": poses.lowermost,
+    "to the right": poses.to_the_right,
+    "to the left": poses.to_the_left,
+}
 _POINTING = {**POSES, "upward": poses.uppermost, "downward": poses.lowermost}
 _FINAL = ("terminal velocity", "terminal angular velocity")
 _NUMBER = re.compile(r"\d+(?:\.\d+)?(?:/\d+)?")

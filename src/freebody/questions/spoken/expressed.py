@@ -60,7 +60,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "in the impact": rf"{_IMPACT}|{_POSE}",
     },
     "degree": {
-        "greatest": r"greatest|largest|most|highest|maximum|max|range|value|farthest|top|extremes|"
+        "greatest": r"greatest|largest|most|steady amplitude|highest|maximum|max|range|value|farthest|top|extremes|"
         r"when rate|when .*turns back|until|first|stop|limit|critical|resonance|lowest|dead|equilibrium",
         "least": r"least|smallest|lowest|minimum|min\b|range|value|ratio of \||critical|equilibrium|stop|"
         r"extremes|first|shortest|\|.*friction|closest|when .*rate|over a turn|largest .* so that",
@@ -98,6 +98,9 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "driving": r"driving|motor|torque|force|power",
         "in own axes": r" in \w+$",
         "upright": r"=|upright|vertical|stable|stability|equilibrium|start",
+        "hanging": r"=|upright|vertical|stable|stability|equilibrium|start",
+        "to the right": r"=|upright|vertical|stable|stability|equilibrium|start",
+        "to the left": r"=|upright|vertical|stable|stability|equilibrium|start",
         "only": "",
         "upward": "",
         "downward": "",
@@ -173,6 +176,7 @@ EXPRESSED: dict[str, dict[str, str]] = {
         "mass": rf"\bmass of|{_CHOICE}",
         "weight": r"\bon \w",
         "amplitude decay": r"decrement",
+        "amplitude loss": r"decrement",
         "stiffness": _CHOICE,
         "efficiency": r"efficiency|ratio",
         "basic efficiency": r"efficiency",

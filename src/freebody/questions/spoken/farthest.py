@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, driving, joining, lookup, poses, rubbing
+from freebody.questions.spoken import along_lines, driving, joining, lookup, of_axles, poses, rubbing
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.words import Clause
@@ -98,6 +98,12 @@ def how_far(names: Names, main: Clause) -> Groups:
             ways = lookup.ways(names, who) or along_lines.slid(names, who)
             yield [f"distance travelled along {way} until slipping ends" for way in ways]
     elif set(main.all("verb")) == {"turn"}:
+        if lookup.is_forced(names) and lookup.springs(names) and n_freedoms(names):  # it vibrates as it is shaken
+            yield [f"steady amplitude of {way}" for way in lookup.places(names, who) or lookup.angles(names, who)]
+            return
+        if _is_rocker(names, who):
+            yield [f"stroke of angle of {who}"]
+            return
         if who in names.hung:
             ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
             yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
@@ -114,6 +120,12 @@ def how_far(names: Names, main: Clause) -> Groups:
             for angle in lookup.angles(names, who)
         ]
         yield [lookup.farthest(names, angle) for angle in lookup.hung(names, who)]
+
+
+def _is_rocker(names: Names, who: str) -> bool:
+    """Whether a body turns to and fro, by an angle that no measure tells, as another one goes round."""
+    turns = who in lookup.turning(names) and not lookup.angles(names, who) and bool(of_axles.axle_of(names, who))
+    return turns and n_freedoms(names) <= 1 and bool(lookup.angles(names, ""))
 
 
 def slipped(names: Names, main: Clause) -> Groups:

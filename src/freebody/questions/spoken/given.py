@@ -25,6 +25,7 @@ if TYPE_CHECKING:
 
 _TIME = "t"
 _SYMBOL = re.compile(r"[^\W\d]\w*")
+_SAYS_NO_MORE = ("the", "of", "a", "an", "its", "value", "coefficient", "radius")  # beside a key and a name
 
 
 @dataclass(frozen=True)
@@ -257,6 +258,32 @@ def chosen(names: Names, kind: ParameterKind, of: list[str]) -> list[str]:
     )
     found = [name for name in found if kind.is_angle or name not in sizes]
     return [name for name in found if kind.is_angle or name not in held] or found
+
+
+def by_key(names: Names, words: list[str]) -> list[str]:
+    """Parameters that a file gives under a key which words say: the base circle, the pretension of the belt. Other
+    words name an element, or say no more."""
+    things = {*names.bodies, *names.connections, *(part for name in names.connections for part in name.split("_"))}
+    said = ["radius" if word == "circle" else word for word in words]
+    found: dict[str, None] = {}
+    for spec in names.connections.values():
+        for key, value in given_of(spec).items():
+            parts = key.split("_")
+            if str(value) not in names.parameters or not {*parts} <= {*said, "radius"} or {*parts} <= {"radius"}:
+                continue
+            if {*said} - {*parts} <= things | {
+                *_SAYS_NO_MORE,
+                *(w for n in names.called.values() for one in n for w in one.split()),
+            }:
+                found[str(value)] = None
+    return [*found]
+
+
+def teeth(names: Names, of: str) -> list[str]:
+    """Parameters that are numbers of teeth: of the body that is named, whose radius they tell."""
+    radius = names.bodies[of].radius if of in names.bodies else None
+    own = frozenset[str]() if radius is None else free_symbols(radius)
+    return [name for name in sorted(names.counts) if not of or name in own]
 
 
 def load_of(names: Names, parameter: str) -> str:

@@ -5,10 +5,8 @@ As in lookup.py, each function gives all that fit.
 
 from __future__ import annotations
 
-import math
 from typing import TYPE_CHECKING, cast
 
-from freebody.language.expression import Expr
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
@@ -19,7 +17,6 @@ from freebody.questions.spoken.lexicon import leading
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_PAIR = 2  # supports that a side tells apart
 _LEVEL = 1e-9  # of a direction that is level, or straight up
 
 
@@ -286,25 +283,15 @@ def free_end(names: Names, body: str) -> str | None:
     return free[0] if len(held) == len(free) == 1 else None
 
 
-def supports_by_side(names: Names) -> dict[str, str]:
-    """The left and the right one of the two supports of the only body there is, where the file says how it lies."""
-    free = [body for body in names.bodies.values() if not body.fixed]
-    if len(free) != 1 or names.space or free[0].start.angle is None or not free[0].turns:
-        return {}
-    [body] = free
-    angle = names.numeric(cast("Expr", body.start.angle))
-    pulls = {row.connection for row in names.constraint_rows if row.reaction in ("tension", "axial force")}
-    found: dict[str, float] = {}
-    for joint in names.connections:
-        ends = [end.partition(".")[2] for end in ends_of(names, joint) if end.partition(".")[0] == body.name]
-        if joint not in pulls and len(ends) == 1 and ends[0] in body.points and touches(names, joint, GROUND):
-            across, up = (names.numeric(c) for c in body.points[ends[0]][:2])
-            if angle is None or across is None or up is None:
-                return {}
-            found[joint] = across * math.cos(angle) - up * math.sin(angle)
-    if len(found) != _PAIR or math.isclose(*found.values(), abs_tol=_LEVEL):
-        return {}
-    return dict(zip(("left", "right"), sorted(found, key=lambda joint: found[joint]), strict=True))
+def held_end(names: Names, body: str) -> str | None:
+    """The end of a rod at which the ground holds it: clamped, or else at the only joint that it has there."""
+    on_ground = [joint for joint in names.connections if touches(names, joint, GROUND)]
+    welds = [joint for joint in on_ground if "weld" in names.called.get(joint, ())]
+    for joints_ in (welds, on_ground):
+        ends = {end for joint in joints_ for end in ends_of(names, joint) if end.partition(".")[0] == body}
+        if len(ends) == 1 and "." in (end := ends.pop()):
+            return end
+    return None
 
 
 def strikes(names: Names) -> bool:

@@ -21,7 +21,7 @@ from freebody.questions.spoken import along_lines, driving, given, joining, look
 from freebody.questions.spoken.accounting import is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.frames import OSCILLATION
-from freebody.questions.spoken.lexicon import ENGLISH, Word, tells_apart
+from freebody.questions.spoken.lexicon import ENGLISH, Word, contexts, languages, tells_apart
 from freebody.questions.spoken.unneeded import is_unneeded
 
 if TYPE_CHECKING:
@@ -50,6 +50,15 @@ _SUMMED = re.compile(
     r"(?= (?:when|at|after|before|until|along|about)\b|$)"
 )
 _OF_JOINT = re.compile(r"\b(?:in|at|of|on) (?:the )?([^\W\d]\w{2,})\b(?!\.)")
+_PLACE_WHEN = re.compile(r"[^\W\d]\w* when ")
+_GIVEN_TURNED = re.compile(
+    r"(?:value|range) of (?P<parameter>\w+) for which \|?(?:force|torque) (?:in|of) (?P<load>\w+)\|? "
+    r"(?:is (?:least|largest)|=)"
+)
+_OF_TENSION = re.compile(r"\b(?:tension|axial force) of [\w.]+(?: at [\w.]+)? [<>]?=? ?\d")
+_CALLED_JOINT = re.compile(  # the bearing A
+    r"\b(?:bearing|hinge|pin|joint|support|axle|pivot|Lager|Auflager|Gelenk|Bolzen|Achse) ([^\W\d]\w*)\b(?!\.)"
+)
 _BEYOND = re.compile(  # how long it is above 20 m, and not when it rises above that
     r"^(?:how long (?:is|was|are)|(?:the )?time (?:spent )?|wie lange (?:ist|war)|(?:die )?zeit )"
     r"(?:(?!\b(?:until|till|when|bis|after|to)\b).)*?"
@@ -77,16 +86,25 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     begins_with_blow = joining.is_struck_at_start_alone(names)
     if text.startswith(("time when ", "greatest ")) and begins_with_blow:
         words = [word for word in words if word != Word("instant", "after the impact")]
-    if {*_ENDS} & {*words} and Word("instant", "in steady motion") in words:  # what is steady has no extreme
+    is_steady = Word("instant", "in steady motion") in words and not text.startswith("steady amplitude of ")
+    if {*_ENDS} & {*words} and is_steady:  # what is steady has no extreme
         return False
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
+    if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):
+        return False  # what stands still is nowhere else when a force is least: another angle is meant
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
         load.load == found[1] and free_symbols(load.law) <= names.parameters.keys() for load in names.applied_loads
     ):  # what is given stays as it is: another one is asked for
         return False
+    chosen = {p.name for p in names.parameters.values() if p.value is not None}  # the others balance a load
+    if (turned := _GIVEN_TURNED.match(text)) and any(
+        load.load == turned["load"] and free_symbols(load.law) <= chosen - {turned["parameter"]}
+        for load in names.applied_loads
+    ):
+        return False  # nor does it change with another parameter
     if not chooses_of_what_is_asked(names, words, text):
         return False
     things = {thing for thing in _THING.findall(text) if _is_thing(names, thing)}
@@ -109,6 +127,11 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def moves_nowhere(names: Names) -> bool:
+    """Whether the only body is held by as many constraints as it has freedoms, and driven by none."""
+    return len(lookup.moving(names)) == 1 and n_freedoms(names) <= 0 and not driving.driven(names)
 
 
 def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> bool:
@@ -169,9 +192,21 @@ def loses_height(names: Names, said: str, text: str) -> bool:
     )
 
 
+def is_pressed(said: str) -> bool:
+    """Whether a text speaks of compression, in which the force of a bar has the other sign."""
+    told = (contexts(language).get("pressed") for language in languages())
+    return any(one is not None and re.search(one, said, re.IGNORECASE) for one in told)
+
+
+def loses_sign(said: str, text: str) -> bool:
+    """Whether a tension of so many newtons stands for a compressive force of as many."""
+    return _OF_TENSION.search(text) is not None and is_pressed(said)
+
+
 def loses_joint(names: Names, said: str, text: str) -> bool:
     """Whether a text says by its name of which connection a force is, and another one stands in its place."""
-    named = [found for found in _OF_JOINT.findall(said) if found in names.connections and found not in names.bodies]
+    said_of = (*_OF_JOINT.findall(said), *_CALLED_JOINT.findall(said))
+    named = [found for found in said_of if found in names.connections and found not in names.bodies]
     found = [thing for thing in _THING.findall(text) if thing in names.connections]
     return (
         bool(named and found)
@@ -225,6 +260,8 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
         return True
     if text == "natural frequency" and body in lookup.moving(names):  # or it is told that there are several
         return True
+    if _OF_ALL.search(text) and thing in names.loads and thing not in names.parameters and _acted_at(names, thing):
+        return all(lookup.is_all_that_moves(names, own) for own in _bodies(names, thing) - {GROUND})  # the man on it
     if _OF_ALL.search(text):
         is_one = "slip" not in text and n_freedoms(names) == 1
         return "." not in thing and (rubbing.is_all_that_slips(names, body) or is_one)
@@ -299,8 +336,14 @@ def _are_alike(names: Names, one: str, other: str) -> bool:
 
 def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     """Whether a thing of the ground is what a contact touches, or the only one of its kind."""
+    held = {joint for joint in names.connections if thing in joining.ends_of(names, joint)}
+    if held and "." in thing and not held & things and things & names.connections.keys():
+        return False  # a force at a bearing is none between the teeth
     if any(other in names.connections and joining.touches(names, other, thing) for other in things):
         return True
+    held = {joint for joint in names.connections if thing in joining.ends_of(names, joint)}
+    if held and "." in thing and not held & things and things & names.connections.keys():
+        return False  # a force at a bearing is none between the teeth
     return len(names.bodies[GROUND].lines) + len(names.bodies[GROUND].planes) <= 1
 
 

@@ -18,6 +18,7 @@ from freebody.questions.spoken.accounting import PLACED
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.turning_round import rolls_down
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
@@ -37,6 +38,7 @@ _REST, _NO_SLIP, _NO_TIP = "it stays at rest", "it does not slip", "it does not 
 
 def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     """The end of the values of a parameter up to which rest lasts. modal: whether something `may` or `must` be."""
+    modal = modal - {"may"} if "must" in modal else modal  # how large must it be so that he can stand
     words = [Word("verb", "hold") if word == Word("verb", "hang") else word for word in words]
     words = _how_heavy(names, words) if "may" in modal else words
     words = [_ALONG_SLOPE.get(word, word) for word in words]
@@ -98,6 +100,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     end = _end(names, head, state, modal)
     if end == "largest" and _hinders(names, state, parameter):
         return
+    if lasts == _NO_SLIP and rolls_down(names):
+        lasts = "it rolls without slipping"
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]
     elif end == "range" and lasts not in (_REST, _NO_SLIP):

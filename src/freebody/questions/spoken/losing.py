@@ -75,8 +75,11 @@ def comes_to_rest(names: Names) -> bool:
 
 def _slides_by_itself(names: Names) -> bool:
     one = len(lookup.massive(names)) == 1 and len(rubbing.rough(names, "")) == 1
-    driven = [name for name in names.loads if "gravity" not in names.called.get(name, ())]
-    return one and not lookup.rests(names) and not (driven or braked(names)) and not joining.goes_on(names)
+    driven = [
+        name for name in names.loads if "gravity" not in names.called.get(name, ()) and name not in names.impulses
+    ]
+    moves = bool(names.impulses) or not lookup.rests(names)
+    return one and moves and not (driven or braked(names)) and not joining.goes_on(names)
 
 
 def braked(names: Names) -> bool:

@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import joining, lookup, motors, of_axles, strings
+from freebody.questions.spoken import by_side, joining, lookup, motors, of_axles, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -49,7 +49,6 @@ _BODY_WORDS = ("body", "mass", "element", "member", "part")
 _OF_WHAT_IS_LIGHT = ("element", "member", "part")
 _OF_A_TRUSS = ("member",)
 _JOINT_WORDS = ("joint", "connection", "support")
-_SUPPORTS = ("bearing", "support", "joint", "hinge")
 _EXCITATION = ("excitation", "forcing", "driving", "exciting")
 _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RUBBING = ("capstan", "bollard", "rope friction")  # a string that runs on nothing rough is no such thing
@@ -139,10 +138,9 @@ def elements_of(names: Names) -> Elements:
     if not any("rope" in element.words for element in found.exact.values()):  # a light rod is told from no thread
         for name in (name for name in names.connections if "link" in names.called.get(name, ())):
             found.add(name, _ROPES)
-    for side, name in joining.supports_by_side(names).items():
-        for word in _SUPPORTS:
-            found.add(name, said=f"{side} {word}", distance=INFERRED)
-            found.add(name, said=f"{side} hand {word}", distance=INFERRED)
+    for name, said in by_side.by_side(names):
+        found.add(name, said=said, distance=INFERRED)
+        found.sides.add((said.partition(" ")[0], said.rpartition(" ")[2]))
     found.fields = {name for name in names.loads if "gravity" in names.called.get(name, ())}
     springs = lookup.springs(names)
     for name in (*names.loads, *sorted(names.impulses)):

@@ -130,11 +130,11 @@ def _free_amplitude(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"(greatest {name} - least {name})/2" for name in measures]
 
 
-@said_of("amplitude decay")
+@said_of("amplitude decay", "amplitude loss")
 def _decay(names: Names, quantity: str, rest: Clause) -> Groups:
-    """One amplitude over the next, which the logarithmic decrement is the logarithm of."""
+    """One amplitude over the next, of which the decrement is the logarithm; or what is lost of the first."""
     if rest.only("name", *SILENT) and len(rest.names) <= 1:
-        yield ["exp(logarithmic decrement)"]
+        yield ["exp(logarithmic decrement)" if quantity == "amplitude decay" else "1 - exp(-logarithmic decrement)"]
 
 
 @said_of("beat period", "beat frequency")

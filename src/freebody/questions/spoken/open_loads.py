@@ -26,7 +26,15 @@ def size_that_balances(names: Names, text: str) -> str:
         for language in languages():
             if re.fullmatch(contexts(language)["open_load"].format(name=name), text.strip(" ?.!")):
                 return f"range of {name} that keeps it at rest"
-    return ""
+    return of_a_press(names, text)
+
+
+def of_a_press(names: Names, text: str) -> str:
+    """The words for the size of the only open load where its kind is asked for: the clamping force."""
+    loads = [*_open_loads(names)]
+    told = (contexts(language).get("open_load_by_kind") for language in languages())
+    is_asked = any(one and re.fullmatch(one, text.strip(" ?.!"), re.IGNORECASE) for one in told)
+    return f"range of {loads[0]} that keeps it at rest" if is_asked and len(loads) == 1 else ""
 
 
 def as_force(names: Names, text: str) -> str:

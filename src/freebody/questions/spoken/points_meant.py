@@ -20,6 +20,7 @@ if TYPE_CHECKING:
 
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
+_HELD_END = "held_end"
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 
 
@@ -43,8 +44,9 @@ def at_free_ends(names: Names, words: list[Word]) -> list[Word]:
             if len(joints) != 1:
                 return []
             word = Word("name", _moved_at(names, joints[0], bodies) if _is_moved(words) else joints[0])
-        if word.kind == "name" and end == _FREE_END:
-            points = [joining.free_end(names, own) for own in ([body] if body else lookup.moving(names))]
+        if word.kind == "name" and end in (_FREE_END, _HELD_END):
+            of_body = joining.free_end if end == _FREE_END else joining.held_end
+            points = [of_body(names, own) for own in ([body] if body else lookup.moving(names))]
             free = [point for point in points if point is not None]
             if len(free) != 1:
                 return []

@@ -11,7 +11,7 @@ import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import Symbol
+from freebody.language.expression import Symbol, differentiate, free_symbols, substitute
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -26,6 +26,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _AT_PLACE = re.compile(r"\b(?:when|until) (?P<measure>[^\W\d]\w*) = (?P<value>[^=<>]+)$")
+_TIME = "t"
 _NEAR = 1e-6  # degrees: of an angle that people name
 
 
@@ -90,6 +91,15 @@ def begins_uppermost(names: Names, body: str) -> bool:
         if across is not None and rise is not None and abs(across) < _NEAR < rise:
             return True
     return False
+
+
+def to_the_right(names: Names, body: str) -> list[str]:
+    """The condition that the line from what something goes round to its mass centre points to the right."""
+    return _conditions(names, body, 0.0)
+
+
+def to_the_left(names: Names, body: str) -> list[str]:
+    return _conditions(names, body, 180.0)
 
 
 def lowermost(names: Names, body: str) -> list[str]:
@@ -296,7 +306,20 @@ def _starts(names: Names, body: str, pointing: float) -> bool:
 
 def _conditions(names: Names, body: str, pointing: float) -> list[str]:
     values = [(going.measure, going.value(pointing)) for going in _going(names, body)]
+    values = [(measure, value + _turns_before(names, measure, value)) for measure, value in values]
     return [f"{measure} = {_told(value)}" for measure, value in values if _is_told(value)]
+
+
+def _turns_before(names: Names, measure: str, value: float) -> float:
+    """The turns after which a drive that goes on from the start comes to a pose: angles are counted on."""
+    led = [row.target for row in names.constraint_rows if row.is_driven and row.measure == names.measures[measure]]
+    if len(led) != 1 or led[0] is None:
+        return 0.0
+    start, rate = (names.numeric(substitute(one, {_TIME: ZERO})) for one in (led[0], differentiate(led[0], _TIME)))
+    if start is None or not rate or _TIME in free_symbols(differentiate(led[0], _TIME)):
+        return 0.0
+    past = (value - math.degrees(start)) * math.copysign(1.0, rate)
+    return math.copysign(360.0, rate) if past < _NEAR else 0.0
 
 
 def _is_told(value: float) -> bool:

@@ -160,9 +160,12 @@ def driven_by_needed(names: Names, words: list[Word]) -> list[Word]:
     """The torque needed to turn the crank, where a motor says how it turns, is that of the motor."""
     kinds = {"torque": "driving torque", "moment": "driving torque", "force": "driving force"}
     words = _as_driven(names, words)
-    k = words.index(_TO) if _TO in words else 0
-    asked = [word for word in words[:k] if word.kind not in ("filler", "ask")]
-    behind = [word for word in words[k + 1 :] if word.kind != "filler" and word != Word("preposition", "to")]
+    told = [word for word in words if word.kind != "filler"]
+    if [word.kind for word in told[:4]] == ["ask", "quantity", "verb", "name"]:
+        told = [*told[:2], _TO, *told[2:]]  # what force moves the trolley
+    k = told.index(_TO) if _TO in told else 0
+    asked = [word for word in told[:k] if word.kind != "ask"]
+    behind = [word for word in told[k + 1 :] if word.kind != "filler" and word != Word("preposition", "to")]
     said, rest = behind[:2], behind[2:]  # to move the trolley; um die Katze zu bewegen
     goes = [word.what for word in said if word.kind == "verb" and word.what in _DRIVEN]
     who = [word.what for word in said if word.kind == "name"]

@@ -321,9 +321,21 @@ def on_what_may_open(names: Names, words: list[Word]) -> list[Word]:
     return [Word("verb", "stay_on") if word == hold else word for word in words if word != on]
 
 
+def _is_of(names: Names, word: Word, line: str) -> bool:
+    """Whether a word names a line of the ground, or what touches it."""
+    is_joint = word.what in names.connections and word.what not in names.bodies
+    return word.what == line or (is_joint and joining.touches(names, word.what, line))
+
+
 def lifting_off(names: Names, words: list[Word]) -> list[Word]:
     """At what speed a wheel lifts, and whether it does: it leaves the road on which it stands."""
-    rise = Word("verb", "rise")
+    rise, slope = Word("verb", "rise"), joining.sloping(names)
+    k = words.index(rise) + 1 if rise in words else 0
+    along = [
+        j for j in range(k, len(words)) if k and slope and words[j].kind == "name" and _is_of(names, words[j], slope)
+    ]
+    if along:  # up the slope, which it does not leave
+        return [word for j, word in enumerate(words) if j not in along]
     of = [word.what for word in words if word.kind == "name"]
     stands = [name for name in (*of, *(joining.joined_at(names, name) for name in of)) if name in names.connections]
     is_whether = bool(of) and all(word.kind == "name" or word == rise for word in words)  # does the rear wheel lift

@@ -21,6 +21,9 @@ _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.u
 
 def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     """What is to be so, in the words of the grammar."""
+    if resting := _resting_as_slip_ends(names, clause):
+        yield resting
+        return
     clause = _timed_by_equation(names, _stopping_after(names, clause))
     verbs, negated = set(clause.all("verb")), clause.has("not")
     if "end" in verbs:  # it no longer slips
@@ -150,6 +153,18 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
+
+
+def _resting_as_slip_ends(names: Names, clause: Clause) -> list[str]:
+    """It comes to rest when slipping ends: it has no speed where it would begin to roll."""
+    marks = [k for k, word in enumerate(clause.words) if word.kind == "mark"]
+    if len(marks) != 1 or not losing.comes_to_roll(names):
+        return []
+    head, tail = Clause(clause.words[: marks[0]]), Clause(clause.words[marks[0] + 1 :])
+    ends = "slide" in tail.all("verb") and {"end", "stop"} & {*tail.all("verb")}
+    stops = head.has("verb", "stop", "hold") and not head.has("not") and head.only("name", "verb", *SILENT)
+    who = next((name for _, name in head.names), "")
+    return [f"velocity of {way} when rolling begins = 0" for way in lookup.places(names, who)] if ends and stops else []
 
 
 def _stopping_after(names: Names, clause: Clause) -> Clause:
@@ -286,17 +301,21 @@ def _returning(names: Names, clause: Clause, of: list[str]) -> Groups:
 
 
 def _in_time(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
-    """It is to happen after so much time: it stops within 4 s."""
-    times = [value for _, value in clause.values if dimensions.is_time(value, names)]
-    if (
-        len(times) == 1 == len(clause.values)
-        and clause.has("verb")
-        and not clause.has("quantity")
-        and not clause.has("not")
-    ):
+    """It is to happen after so much time: it stops within 4 s, rises 1 m in 4 s, reaches 300 rpm in 5 s."""
+    values = [word for word in clause.words if word.kind == "value"]
+    times = [word for word in values if dimensions.is_time(word.what, names)]
+    if len(times) != 1 or not clause.has("verb") or clause.has("quantity") or clause.has("not"):
+        return
+    k = clause.words.index(times[0])
+    led = k > 0 and clause.words[k - 1] == Word("preposition", "in")
+    if len(values) == 1:
         kept = [w for w in clause.words if w.kind not in ("value", "mark")]
-        for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
-            yield [f"{text} = {times[0]}" for text in group if text.startswith("time when ")]
+    elif led and k + 1 == len(clause.words) and not clause.has("mark"):
+        kept = clause.words[: k - 1]
+    else:
+        return
+    for group in whole(names, [Word("quantity", "time"), Word("mark", "when"), *kept]):
+        yield [f"{text} = {times[0].what}" for text in group if text.startswith("time when ")]
 
 
 def _failing_first(names: Names, clause: Clause) -> Groups:

@@ -56,7 +56,13 @@ def parameters(names: Names, words: list[Word], whole: Callable[..., Groups]) ->
                     continue  # of a place that changes it is to be said when
                 # the least force with which it starts is the largest with which it does not
                 is_other_end = is_begun and end and text in _RESTS
-                yield from _asked(parameter, text, _end_of_rest(names, parameter) if is_other_end else end)
+                yield from _asked(names, parameter, text, _end_of_rest(names, parameter) if is_other_end else end)
+
+
+def parameter_of(names: Names, words: list[Word]) -> list[str]:
+    """The parameters that words ask for, where what is to be so with them stands elsewhere."""
+    found = _head(names, Clause(words), Clause([]), is_marked=True)
+    return [] if found is None else found[0]
 
 
 def _end_of_rest(names: Names, parameter: str) -> str:
@@ -203,9 +209,11 @@ def _begun_too_fast(names: Names, clause: Clause) -> Groups:
         yield [f"largest {speeds[0]} so that {bodies[0]} {held}"]
 
 
-def _asked(parameter: str, text: str, end: str) -> Groups:
+def _asked(names: Names, parameter: str, text: str, end: str) -> Groups:
     """The values of a parameter for which a text holds, or one end of them."""
-    if text in _RESTS:
+    if text == "it does not slip" and rolls_down(names):
+        yield [f"{end or 'range of'} {parameter} {'so that' if end else 'for which'} it rolls without slipping"]
+    elif text in _RESTS:
         yield [f"{end} {parameter} so that {text}" if end else f"range of {parameter} that keeps it at rest"]
     elif end:
         yield [f"{end} {parameter} so that {text}"]
@@ -216,6 +224,12 @@ def _asked(parameter: str, text: str, end: str) -> Groups:
         yield [f"value of {parameter} for which {text}"]
     else:
         yield [f"range of {parameter} for which {text}"]
+
+
+def rolls_down(names: Names) -> bool:
+    """Whether what is let go on a slope can roll down it, so that not to slip is no rest."""
+    bodies = lookup.moving(names)
+    return lookup.can_roll(names) and len(bodies) == 1 and bool(lookup.inclined(names, "") or joining.sloping(names))
 
 
 def _parted(names: Names, words: list[Word]) -> tuple[list[str], Clause, str] | None:

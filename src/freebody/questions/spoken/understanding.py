@@ -26,13 +26,16 @@ from freebody.questions.spoken.keeping import (
     loses_height,
     loses_joint,
     loses_other,
+    loses_sign,
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import Elements, elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
+from freebody.questions.spoken.pointing import pointing
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
+from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
 from freebody.questions.spoken.unread import (
@@ -137,11 +140,17 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, cut, read)
+    if (angle := pointing(text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        told_way := read_quietly(names, angle, read), Unread
+    ):
+        return [*zip(told_way, (angle,), strict=True)]
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
     if not nearest and (so := _whether(names, text, read)):
         return so
+    if not nearest and (by_value := _turned_round(names, text, read)):
+        return by_value
     if (len(nearest) != 1 or _is_of_all(names, text)) and (parted := _several(names, text, read)):
         return parted
     if not nearest and not instead:
@@ -235,6 +244,14 @@ def _whether(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
     words = f"whether {stated}"
     asked = read_quietly(names, words, read)
     return [] if isinstance(asked, Unread) else [(one, words) for one in asked]
+
+
+def _turned_round(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What asks for a parameter by what it is."""
+    for words in sought(names, text, lambda said: _said_plainly(names, said, read)):
+        if not isinstance(asked := read_quietly(names, words, read), Unread):
+            return [*zip(asked, words.split(JOINT), strict=True)]
+    return []
 
 
 def _named_besides(names: Names, text: str) -> str:
@@ -472,6 +489,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):

@@ -15,6 +15,8 @@ if TYPE_CHECKING:
 
 _HOW_STEEP = (Word("ask", "steep"), Word("ask", "flat"))
 _STOPPING = ("stopping distance", "stopping time")
+_AMPLITUDES = (Word("quantity", "steady amplitude"), Word("quantity", "free amplitude"))
+_HOW_LARGE = (Word("ask", "what"), Word("ask", "large"))
 _COUNTED = ("work", "power", "energy")
 _PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving force", "driving torque")
 
@@ -22,7 +24,7 @@ _PUSHES = ("force", "torque", "moment", "tension", "spring force", "driving forc
 def without_unneeded(names: Names, words: list[Word]) -> list[Word]:
     if not words:
         return words
-    words = until_it_stops(at_best_angle(words))
+    words = steadily(names, until_it_stops(at_best_angle(words)))
     return named_as_push(names, of_driven(names, of_slope(names, about_axle(names, on_what_is_fixed(names, words)))))
 
 
@@ -31,6 +33,21 @@ def until_it_stops(words: list[Word]) -> list[Word]:
     is_asked = any(word.kind == "quantity" and word.what in _STOPPING for word in words)
     end = [Word("mark", "until"), Word("verb", "stop")]
     return words[:-2] if is_asked and words[-2:] == end else words
+
+
+def steadily(names: Names, words: list[Word]) -> list[Word]:
+    """The amplitude in the steady state is the steady one, and so is the greatest value there of what swings."""
+    steady, greatest = Word("instant", "in steady motion"), Word("degree", "greatest")
+    if steady not in words or not lookup.is_forced(names) or not lookup.springs(names):
+        return words
+    asked = [word for word in words if word.kind == "quantity"]
+    kept = [word for word in words if word not in (steady, greatest)]
+    if len(asked) == 1 and asked[0] in _AMPLITUDES:
+        return kept
+    if len(asked) == 1 and greatest in words and kept[0] in (asked[0], *_HOW_LARGE):
+        k = kept.index(asked[0])
+        return [*kept[:k], _AMPLITUDES[0], Word("preposition", "of"), *kept[k:]]
+    return words
 
 
 def at_best_angle(words: list[Word]) -> list[Word]:

@@ -9,6 +9,7 @@ from itertools import islice
 from typing import TYPE_CHECKING
 
 from freebody.questions.spoken.assumed import without_what_holds
+from freebody.questions.spoken.by_side import before_its_kind
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import (
     MARKED,
@@ -63,7 +64,7 @@ def ways_to_mean(names: Names, text: str, *, guess: bool = False) -> list[Meanin
             text = re.sub(contexts(language)["elliptic"], r"\g<all> \g<noun>", text)
     elements = elements_of(names)
     text = about_own_axles(names, elements, without_units(without_what_holds(names, text), elements.exact)[0])
-    text = in_weights(names, elements, text)
+    text = before_its_kind(elements, in_weights(names, elements, text))
     text = re.sub(r"\w+(?:-\w+)+", lambda said: _joined(said[0], elements), text)
     found: list[Meaning] = []
     for language in languages():

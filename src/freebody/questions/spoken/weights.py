@@ -1,8 +1,12 @@
-"""Forces as multiples of a weight: twice the weight of the rod, dreimal so groß wie sein Gewicht."""
+"""Forces as multiples of a weight: twice the weight of the rod, dreimal so groß wie sein Gewicht.
+
+Patterns: `weight_...`, `..._gs` and `share_...` in the contexts of a language.
+"""
 
 from __future__ import annotations
 
 import re
+from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import ONE, Expr, free_symbols
@@ -12,67 +16,15 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.lexicon import languages
+from freebody.questions.spoken.lexicon import contexts, languages
 from freebody.questions.spoken.naming import Elements, linked, plain_names
 from freebody.questions.spoken.wanted_unit import ACCELERATES
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_FACTORS = {"twice": "2", "double": "2", "half": "1/2", "thrice": "3", "doppelt": "2", "halb": "1/2", "": "1"}
-_COUNTED = (("two", "three", "four", "five", "six"), ("zwei", "drei", "vier", "fünf", "sechs"))
-_COUNTS = {word: str(n) for words in _COUNTED for n, word in enumerate(words, 2)}
-_COUNT = rf"(?P<count>\d+(?:[.,]\d+)?|{'|'.join(_COUNTS)})"
-_TIMES = (
-    r"(?:as (?:large|big|great|high|strong) as )?"
-    rf"(?:(?P<factor>twice|double|half|thrice|doppelt|halb)|{_COUNT}(?: times| ?mal|-?fach(?:e[ns]?)?)"
-    r"|equals?(?: to)?|gleich|just)"
-    r"(?: (?:as (?:large|big|great|high|strong|heavy) as|so (?:groß|gross|stark|hoch|schwer) wie|vo[nm]|of))?"
-)
-_MULTIPLE = re.compile(
-    rf"\b{_TIMES} (?:the |its |his |her |their |das |dem |des |sein(?:em|es)? |ihr(?:em|es)? )?(?:own )?"
-    r"(?:weight|Gewicht(?:s(?:kraft)?|es)?)(?: (?:of (?:the )?|des |der |von (?:der |dem )?|vom )(?P<of>[^\W\d]\w*))?"
-    r"(?=[ ,.?!]|$)",
-    re.IGNORECASE,
-)
-
-
-_IN_GS = re.compile(
-    r"(?P<before>\b(?:with|at|by|mit|bei|um|is|=|(?:accelera|decelera)tion(?: of)?|"
-    r"(?:beschleunig|verzöger)ung(?: von)?) ?)"
-    r"(?P<count>\d+(?:[.,]\d+)?) ?g\b(?! ?[*/])",
-    re.IGNORECASE,
-)
-_TOLD_IN_GS = re.compile(
-    r",? (?:(?:measured |expressed |given )?in (?:units |multiples )?(?:of )?g(?:[’']?s)?|as (?:a )?multiples? of g|"
-    r"in vielfachen von g|als vielfaches von g)(?=[ ,.?!]*$)",
-    re.IGNORECASE,
-)
-_SHARES = tuple(
-    (re.compile(pattern, re.IGNORECASE), force)
-    for pattern, force in (
-        (
-            r"^(?:welche[rn]? (?:prozentuale[rn]? )?(?:anteil|bruchteil|teil)|wie ?viele? prozent) (?:des|der|vom) "
-            r"(?:gesamt|eigen|fahrzeug)?(?:gewichte?s?|gewichtskraft|last) "
-            r"(?:trägt|nimmt|(?:ruh|last)e[tn]|ruht|lie(?:g|ge)[tn]|entf(?:ä|a)ll(?:t|en)|wird von)"
-            r"(?: beim (?:bremsen|anfahren|beschleunigen))?(?: auf)? "
-            r"(?:der |die |das |dem |den )?(?P<on>.+?)(?: auf| getragen)?$",
-            "Normalkraft von",
-        ),
-        (
-            r"^(?:wie gro(?:ß|ss) ist )?(?:der |die )?(?:prozentuale[rn]? )?(?:achs|rad|gewichts)?(?:last)?anteil "
-            r"(?:der|des|von|an der|auf der) (?P<on>.+?)(?: (?:an der|am) (?:gesamt)?(?:last|gewicht))?$",
-            "Normalkraft von",
-        ),
-        (
-            r"^what (?:share|fraction|part|percentage) of the (?:total |whole )?(?:weight|load) "
-            r"(?:does|is (?:carried|borne) by|rests on|is on) (?P<on>.+?)(?: carry| bear| take)?$",
-            "normal force of",
-        ),
-    )
-)
+_SHARES = ("share_borne", "share_of")  # what part of the weight something carries, the share of it
 _PRESSING = re.compile(r"normal force of (\w+)")
-_LOAD = re.compile(r"\b(?:load|last)\b", re.IGNORECASE)
 _DIGITS = 9  # to which a direction is upright, or level
 _STANDARD = 9.80665  # m/s^2, of free fall
 
@@ -80,15 +32,20 @@ _STANDARD = 9.80665  # m/s^2, of free fall
 def in_weights(names: Names, elements: Elements, text: str) -> str:
     """A text in which multiples of the weight of a body, and accelerations told in g, are products of the file's
     parameters, or numbers."""
-    if ACCELERATES.search(text) is not None:
-        text = _IN_GS.sub(lambda found: f"{found['before']}{_accelerated(names, found['count'])}", text)
-    return _MULTIPLE.sub(lambda found: _value(names, elements, found) or found[0], text)
+    for language in languages():
+        if ACCELERATES.search(text) is not None:
+            said = _pattern(language, "in_gs")
+            text = said.sub(lambda found: f"{found['before']}{_accelerated(names, found['count'])}", text)
+        multiple, factors = _pattern(language, "weight_multiple"), _factors(language)
+        text = multiple.sub(lambda found, own=factors: _value(names, elements, found, own) or found[0], text)
+    return text
 
 
 def without_gs(names: Names, text: str) -> tuple[str, str] | None:
     """A question after an acceleration without what says that it is to be told in g, and what g is; None where nothing
     says so."""
-    if ACCELERATES.search(text) is None or (found := _TOLD_IN_GS.search(text)) is None:
+    told = (_pattern(language, "told_in_gs").search(text) for language in languages())
+    if ACCELERATES.search(text) is None or (found := next((one for one in told if one), None)) is None:
         return None
     return text[: found.start()] + text[found.end() :], _accelerated(names, "1").removeprefix("1*")
 
@@ -97,13 +54,14 @@ def share_of_weight(names: Names, text: str) -> tuple[str, str] | None:
     """A question after the share of the weight that something carries: the force there, and the weight of the only body
     that has one; None where nothing says so."""
     asked = text.strip().rstrip("?!. ")
-    found = next(((one, force) for pattern, force in _SHARES if (one := pattern.match(asked)) is not None), None)
+    shares = ((language, _pattern(language, key).match(asked)) for language in languages() for key in _SHARES)
+    language, found = next(((own, one) for own, one in shares if one is not None), ("", None))
     weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
     if found is None or len(weights) != 1 or not _alone_is_borne(names):
         return None
-    if _LOAD.search(asked[: found[0].start("on")]) and len(names.applied_loads) > 1:
+    if _pattern(language, "share_of_load").search(asked[: found.start("on")]) and len(names.applied_loads) > 1:
         return None  # which load that is
-    return f"{found[1]} {found[0]['on']}", _product(names, "1", weights[0])
+    return contexts(language)["share_carried"].format(on=found["on"]), _product(names, "1", weights[0])
 
 
 def presses_upright(names: Names, words: str) -> bool:
@@ -146,7 +104,7 @@ def _accelerated(names: Names, count: str) -> str:
     return f"{factor}*{named[0]}" if len(named) == 1 else f"{float(factor) * _STANDARD:g} m/s^2"
 
 
-def _value(names: Names, elements: Elements, found: re.Match[str]) -> str | None:
+def _value(names: Names, elements: Elements, found: re.Match[str], factors: dict[str, str]) -> str | None:
     weights = {load.component: load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())}
     meant = [*weights]
     if found["of"]:
@@ -155,9 +113,19 @@ def _value(names: Names, elements: Elements, found: re.Match[str]) -> str | None
         meant = [body for body in weights if body in marked or found["of"] == body]
     if len(meant) != 1:
         return None
-    count = (found["count"] or "").lower().replace(",", ".")
-    factor = _COUNTS.get(count, count) or _FACTORS[(found["factor"] or "").lower()]
-    return f"= {_product(names, factor, weights[meant[0]])}"
+    count = (found["count"] or found["factor"] or "1").lower().replace(",", ".")
+    return f"= {_product(names, factors.get(count, count), weights[meant[0]])}"
+
+
+@cache
+def _pattern(language: str, key: str) -> re.Pattern[str]:
+    return re.compile(contexts(language)[key], re.IGNORECASE)
+
+
+@cache
+def _factors(language: str) -> dict[str, str]:
+    """Words for numbers before a weight: twice is 2."""
+    return dict(re.findall(r"(\S+)=(\S+)", contexts(language)["weight_factors"]))
 
 
 def _product(names: Names, factor: str, weight: Expr) -> str:
