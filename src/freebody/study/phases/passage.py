@@ -13,7 +13,8 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FORCE_CHANGES, NO_SWINGS, FormulaPassage, drivers, resistances
+from freebody.study.answering.over_time import FORCE_CHANGES
+from freebody.study.answering.passage import NO_SWINGS, FormulaPassage, drivers, resistances
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
