@@ -66,6 +66,14 @@ loads: {spring: {law: {measure: x, force: -k*x}}}
 measures: {x: x of P}
 start: {x: A, rate(x): 0}
 """
+TORSION = """
+parameters: {J: 2 kg m^2, c: 8 N m, a: 90 deg}
+bodies: {wheel: {body: {inertia: J}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+loads: {spring: {law: {measure: phi, force: -c*phi}}}
+measures: {phi: {angle of wheel}}
+start: {phi: a, rate(phi): 0}
+"""
 DAMPED = SWINGING.replace("A: 0.1 m", "A: 0.1 m, c: 2 kg/s").replace("-k*x}", "-k*x - c*rate(x)}")
 PENDULUM = """
 parameters: {m: 2 kg, L: 1.5 m, a: 40 deg, g: 9.81 m/s^2}
@@ -88,6 +96,7 @@ start: {phi: a, rate(phi): 0}
         (PENDULUM, "length of the path of bob until rate(phi) = 0", "2*L*a"),
         (PENDULUM, "length of the path of bob until phi = a", "4*L*a"),
         (PENDULUM, "distance travelled along phi until phi = a", "4*a"),
+        (TORSION, "turns of wheel until phi = a", "2*a/pi"),
     ],
 )
 def test_a_swing_has_the_length_of_its_pieces(model: str, question: str, formula: str) -> None:
@@ -205,9 +214,37 @@ def test_what_turns_back_for_some_parameters_only_has_its_way_where_it_goes_on()
     way = "distance travelled along travel of ball along table until rolling begins"
     found = is_formula(BACKSPIN, way, "2*(6*v - r*w)*(v + r*w)/(49*mu*g)")
     assert [str(c) for c in found.conditions] == ["5·v ≥ 2·r·w"]
-    back = posed(BACKSPIN.replace("20 rad/s", "400 rad/s"), way)
-    assert back.expression is None
-    assert "turns back" in str(back.reason)
+    # with more backspin it turns back while it slips: on v^2/(2 mu g), and back until it rolls with (2 r w - 5 v)/7
+    both = "v^2/(2*mu*g) + ((2*r*w - 5*v)/7)^2/(2*mu*g)"
+    back = is_formula(BACKSPIN.replace("20 rad/s", "400 rad/s"), way, both)
+    assert [str(c) for c in back.conditions] == ["2·r·w ≥ 5·v"]
+
+
+ON_A_BED = """
+parameters: {m: 3 kg, al: 30 deg, mu: 0.2, v: 5 m/s, T: 2 s, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: al}}}
+bodies: {P: {particle: {mass: m}}}
+connections: {bed: {contact: {between: [P, slope]}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of P along slope}}
+start: {s: 0, rate(s): v}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "question", "formula"),
+    [
+        (ON_A_BED, "distance travelled along s until s = 0", "v^2/(g*sin(al))"),
+        (ON_A_BED, "length of the path of P until t = T", "v^2/(2*g*sin(al)) + g*sin(al)*(T - v/(g*sin(al)))^2/2"),
+        (
+            ON_A_BED.replace("slope]", "slope], friction: mu"),
+            "distance travelled along s until s = 0",
+            "v^2/(g*(sin(al) + mu*cos(al)))",
+        ),
+    ],
+)
+def test_what_slides_up_a_slope_and_back(text: str, question: str, formula: str) -> None:
+    is_formula(text, question, formula)
 
 
 COLLISION = """

@@ -52,7 +52,7 @@ class FindingAtEvents(FindingByKind):
         conditions = self._comes(event, reached)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
         x, there, counted = self._there(q, reached)
-        conditions += self._counted_so(counted)
+        conditions += counted
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
@@ -102,15 +102,9 @@ class FindingAtEvents(FindingByKind):
         never = NeverHappens(event.never)
         return insisted((Condition(x, relation, event.comes) for x, relation in needed), never)
 
-    def _counted_so(self, needs: Sequence[tuple[Ratio, str]]) -> list[Condition]:
-        """What is counted on the way needs: that it turns back as often as at the given numbers."""
-        why = Message("how often it turns back")
-        told = (require(self.setup.state.here(x), relation, why)[0] for x, relation in needs)
-        return [condition for condition in told if condition is not None]
-
-    def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState, Sequence[tuple[Ratio, str]]]:
-        """A quantity at an event, the state there, and what is counted until then needs; with the loops solved first
-        where the formula is too long otherwise."""
+    def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState, list[Condition]]:
+        """A quantity at an event, the state there, and what it needs where it is counted until then; with the loops
+        solved first where the formula is too long otherwise."""
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         found: Elements | None = None
         passage = smooth_passage(self.setup, reached, self._elements, there)
@@ -118,15 +112,15 @@ class FindingAtEvents(FindingByKind):
             found = q.counted(passage)
         parts = found if isinstance(found, tuple) else (found,)
         if found is not None and not any(isinstance(x, Ratio) and n_terms_in_all(x) > _SWOLLEN for x in parts):
-            return found, there, passage.needs
+            return found, there, passage.counted_so(self.setup.state.here)
         try:
             staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
             by_loops = smooth_passage(self.setup, reached, self._elements, staged)
-            return q.counted(by_loops), staged, by_loops.needs
+            return q.counted(by_loops), staged, by_loops.counted_so(self.setup.state.here)
         except (CannotAnswer, ZeroDivisionError):
             if found is None:
                 raise
-            return found, there, passage.needs
+            return found, there, passage.counted_so(self.setup.state.here)
 
     def _at_the_start_alone(self, q: Quantity, event: QuestionEvent) -> Finding:
         """Of an event that is there at the start and does not come again."""

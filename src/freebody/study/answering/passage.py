@@ -32,6 +32,7 @@ from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.study.answering.over_time import FORCE_CHANGES, by_momentum, over_time
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
@@ -49,6 +50,7 @@ _TURNED = 1e-12  # rad: less is round-off
 _CURVED = Message("the point moves on a curve, and the length of its path has no closed form here")
 _CURVED_OR_BACK = CannotAnswer(Message("the point moves on a curve or turns back, so the length was not checked"))
 _ROUND_OFF = 1e-9  # of the product of two rates
+_ASIDE = 1e-8  # of a path: less is no curve
 _N_ON_THE_WAY = 3  # steps of a path that tell whether it is straight
 
 
@@ -89,6 +91,12 @@ class FormulaPassage:
     arms: list[tuple[Ratio, Coordinate]] = field(default_factory=list[tuple[Ratio, Coordinate]], kw_only=True)
     # the values at which what was counted turns back
     turns: list[Ratio] = field(default_factory=list[Ratio], kw_only=True)
+
+    def counted_so(self, here: Callable[[Ratio], Ratio]) -> list[Condition]:
+        """What was counted needs. here: takes an element to where it is told."""
+        why = Message("how often it turns back")
+        told = (require(here(x), relation, why)[0] for x, relation in self.needs)
+        return [condition for condition in told if condition is not None]
 
     def time(self) -> Ratio:
         if self.elapsed is None:
@@ -326,12 +334,16 @@ def along_axes(point: Point, *, in_space: bool) -> tuple[Displacement, ...]:
 
 
 def straight_through(places: Sequence[Sequence[float]]) -> float:
-    """The length of a path from its points, which lie on a line. Raises CannotAnswer where they do not, or where they
-    turn back: how far it gets between them is not known."""
+    """The length of a path from its points, with those at which it turns back, which lie on a line. Raises CannotAnswer
+    where they do not: how far it gets between them is not known."""
     steps = np.diff(np.asarray(places, dtype=np.float64), axis=0)
     lengths = np.linalg.norm(steps, axis=1)
-    whole, total = float(np.linalg.norm(steps.sum(axis=0))), float(lengths.sum())
-    if len(steps) < _N_ON_THE_WAY or total > whole * (1 + _ROUND_OFF) + _TURNED:
+    total = float(lengths.sum())
+    if total <= _TURNED:  # a phase without length
+        return total
+    along = steps[int(np.argmax(lengths))] / lengths.max()
+    aside = np.linalg.norm(steps - np.outer(steps @ along, along), axis=1)
+    if len(steps) < _N_ON_THE_WAY or float(aside.max()) > total * _ASIDE + _TURNED:
         raise _CURVED_OR_BACK
     return total
 
@@ -413,6 +425,8 @@ class NumericPassage:
         if self.begin.reference.system.space:
             return turns_in_numbers(body, self.ways())
         angle, why = Angle(body), both_ways(body)
+        if self.turned is not None:
+            return self.travelled(angle) / (2.0 * np.pi)
         return sum(gone_through([s.value(angle) for s in instants], why) for instants in self.ways()) / (2.0 * np.pi)
 
     def length(self, point: Point) -> float:
@@ -422,7 +436,15 @@ class NumericPassage:
             return float(self.over_time(OfPoint(point, 1, size=True), halts))
         if self.ways is None:
             raise CannotAnswer(Message("the way is not counted here"))
-        return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in self.ways())
+        turns = () if self.turned is None else self.turned(axes)
+        ways = (self._with_turns(instants, turns) for instants in self.ways())
+        return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in ways)
+
+    @staticmethod
+    def _with_turns(instants: Sequence[Snapshot], turns: Sequence[Snapshot]) -> list[Snapshot]:
+        """Instants of one phase in their order, with those at which something turns back in it."""
+        begin, end = instants[0].t, instants[-1].t
+        return sorted((*instants, *(s for s in turns if begin < s.t < end)), key=lambda s: s.t)
 
     def half_swings(self) -> float:
         """Runs of instants between which all goes on the same way: where it turns the velocities are against those
@@ -439,12 +461,13 @@ class NumericPassage:
         return float(n)
 
     def travelled(self, measure: Measure) -> float:
-        if self.turned is not None:
-            seen = [s.value(measure) for s in (self.begin, *self.turned((measure,)), self.now)]
-            return float(np.abs(np.diff(seen)).sum())
         if self.ways is None:
             raise CannotAnswer(Message("the way is not counted here"))
-        return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
+        if self.turned is None:
+            return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
+        turns = self.turned((measure,))
+        ways = (self._with_turns(instants, turns) for instants in self.ways())
+        return sum(float(np.abs(np.diff([s.value(measure) for s in instants])).sum()) for instants in ways)
 
     def integral(self, quantity: Quantity) -> Any:
         if self.over_time is None:
