@@ -121,18 +121,6 @@ def test_that_it_has_not_turned_yet_is_a_condition() -> None:
     assert [str(c) for c in found.conditions] == ["v ≥ g·T (how often it turns back)"]
 
 
-@pytest.mark.parametrize(
-    ("model", "question", "told"),
-    [
-        (THROW, "distance travelled along y until y = -h", "turns back once"),
-        (SWINGING, "length of the path of P until x = A", "turns back once"),
-        (PENDULUM, "length of the path of bob until phi = a/2", "times as long as the way"),
-    ],
-)
-def test_where_it_turns_back_is_told(model: str, question: str, told: str) -> None:
-    assert told in " ".join(is_derived(model, question)["en"].split())
-
-
 ON_A_SLOPE = """
 parameters: {m: 2 kg, g: 9.81 m/s^2, alpha: 30 deg, b: 3 m, v0: 1 m/s}
 ground: {lines: {slope: {along: -alpha}}}
@@ -245,6 +233,19 @@ start: {s: 0, rate(s): v}
 )
 def test_what_slides_up_a_slope_and_back(text: str, question: str, formula: str) -> None:
     is_formula(text, question, formula)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "told"),
+    [
+        (THROW, "distance travelled along y until y = -h", "turns back once"),
+        (SWINGING, "length of the path of P until x = A", "turns back once"),
+        (PENDULUM, "length of the path of bob until phi = a/2", "times as long as the way"),
+        (ON_A_BED, "distance travelled along s until s = 0", "Way without sign"),
+    ],
+)
+def test_where_it_turns_back_is_told(model: str, question: str, told: str) -> None:
+    assert told in " ".join(is_derived(model, question)["en"].split())
 
 
 COLLISION = """

@@ -14,16 +14,15 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import ZERO, number
+from freebody.language.expression import number
 from freebody.language.sentences import Message
-from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference, Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import AskedEvent, Question, QuestionEvent
+from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
@@ -55,6 +54,7 @@ from freebody.study.phases.quantities import (
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.turns_seen import turns_seen
 from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
@@ -360,9 +360,6 @@ def _passage(
             else:
                 yield instants(one)
 
-    def turned(measures: Sequence[Measure]) -> Sequence[Snapshot]:
-        return [turn for one in seen for turn in turned_in(one, instants(one), measures)]
-
     def integral(quantity: Quantity) -> Any:
         return over_time(tree.system, seen, quantity)
 
@@ -383,24 +380,12 @@ def _passage(
         work,
         ways=ways,
         over_time=integral,
-        turned=None if any(s.event is not None and s.event[0] == BOUNCES_END for s in seen) else turned,
+        turned=None
+        if any(s.event is not None and s.event[0] == BOUNCES_END for s in seen)
+        else partial(turns_seen, seen),
         takes_energy=frozenset(taking_energy(tree.system)),
     )
     return passage
-
-
-def turned_in(one: PhaseSnapshot, instants: Sequence[Snapshot], measures: Sequence[Measure]) -> list[Snapshot]:
-    """The instants of a phase at which one of some measures turns back, between two instants at which it goes one way
-    and the other."""
-    turns: list[Snapshot] = []
-    for measure in measures:
-        event = QuestionEvent(measure, 1, ZERO, "turns back")
-        for before, after in pairwise(instants):
-            if before.rate(measure) * after.rate(measure) < 0.0:
-                there = one.mode.run(before.q, before.v, before.t, after.t, event)
-                if there.event is not None and there.event[0] == "is reached":
-                    turns.append(there.snapshot())
-    return sorted(turns, key=lambda s: s.t)
 
 
 def _value_there(tree: PhaseTree, mode: NumericMode, now: Snapshot, quantity: Quantity) -> Any:
