@@ -370,6 +370,7 @@ def _passage(
         except CannotAnswer:
             return work_over_time(tree.system, seen, load)
 
+    bounces = any(s.event is not None and s.event[0] == BOUNCES_END for s in seen)
     at_end = partial(_value_there, tree, mode, now)
     passage = NumericPassage(
         tree.system,
@@ -380,9 +381,7 @@ def _passage(
         work,
         ways=ways,
         over_time=integral,
-        turned=None
-        if any(s.event is not None and s.event[0] == BOUNCES_END for s in seen)
-        else partial(turns_seen, seen),
+        turned=None if bounces else partial(turns_seen, seen),
         takes_energy=frozenset(taking_energy(tree.system)),
     )
     return passage
