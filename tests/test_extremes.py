@@ -502,7 +502,7 @@ def test_where_a_size_is_greatest_is_on_both_sides() -> None:
 
 
 def test_an_inequality_until_an_event_is_so_all_the_way() -> None:
-    """V = m g at the start, and less behind it (a small): V <= S until 60 deg where m <= S/g, though V(60 deg) is less."""
+    """V = m g at the start, and less behind it (a small): V <= S until 60 deg where m <= S/g; V(60 deg) is less."""
     text = FALLING_ROD.replace("a: 1 deg", "a: 1 deg, S: 20 N")
     all_the_way = is_formula(
         text, "largest m so that vertical reaction of hinge <= S until th = 60 deg", "4*S/(g*(1 + 3*cos(a)^2))", (1.0,)
