@@ -74,6 +74,7 @@ loads: {spring: {law: {measure: phi, force: -c*phi}}}
 measures: {phi: {angle of wheel}}
 start: {phi: a, rate(phi): 0}
 """
+STARTED = SWINGING.replace("A: 0.1 m", "A: 0.1 m, v: 2 m/s").replace("rate(x): 0", "rate(x): v")
 DAMPED = SWINGING.replace("A: 0.1 m", "A: 0.1 m, c: 2 kg/s").replace("-k*x}", "-k*x - c*rate(x)}")
 PENDULUM = """
 parameters: {m: 2 kg, L: 1.5 m, a: 40 deg, g: 9.81 m/s^2}
@@ -93,6 +94,9 @@ start: {phi: a, rate(phi): 0}
         (SWINGING, "average speed of P until x = A", "2*A*sqrt(k/m)/pi"),
         # 3 s are 12 half swings of two amplitudes each, and a little more
         (SWINGING, "distance travelled along x until t = 3 s", "24*A + A - A*cos(3*sqrt(k/m))"),
+        # with a speed at the start the amplitude is sqrt(A^2 + m v^2/k)
+        (STARTED, "distance travelled along x until x = A", "2*sqrt(A^2 + m*v^2/k) - 2*A"),
+        (STARTED, "distance travelled along x until rate(x) = v", "4*sqrt(A^2 + m*v^2/k) - 2*A"),
         (PENDULUM, "length of the path of bob until rate(phi) = 0", "2*L*a"),
         (PENDULUM, "length of the path of bob until phi = a", "4*L*a"),
         (PENDULUM, "distance travelled along phi until phi = a", "4*a"),

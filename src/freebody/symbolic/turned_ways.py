@@ -10,7 +10,7 @@ Source: Meriam & Kraige, Dynamics, 8th ed. 2015, sec. 2/2 (net displacement and 
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import count
 from math import isfinite
@@ -26,6 +26,7 @@ from freebody.symbolic.unknowns import Coordinate
 
 _SAME = 1e-9  # of the time of the event: a turn that comes with it
 _MOST = 1000  # turns that are counted
+_IN_A_PERIOD = 2  # turns
 
 
 @dataclass(frozen=True)
@@ -54,15 +55,16 @@ def turned_way(motion: MotionLaws, value: Ratio, reached: Reached) -> TurnedWay 
     rest = f.lowest_terms(value - slope * f.variable(c.index))
     law = motion.law_of(c, takes_side=True)
     by_time = law is not None and reached.time is not None
-    way = _by_law(law, reached.time) if by_time else _by_energy(motion, c, reached)
+    there = reached if reached.coordinate is c else None
+    way = _by_law(law, reached.time, there) if by_time else _by_energy(motion, c, reached)
     if way is None:
         return None
     known = {id(q): f.lowest_terms(slope * q + rest) for q in way.turns}
     return TurnedWay([known[id(q)] for q in way.turns], way.needs)
 
 
-def _by_law(law: MotionLaw | None, end: Ratio | None) -> TurnedWay | None:
-    """By the instants at which the rate of a law is zero."""
+def _by_law(law: MotionLaw | None, end: Ratio | None, there: Reached | None = None) -> TurnedWay | None:
+    """By the instants at which the rate of a law is zero. there: where the event is one of what moves by the law."""
     assert law is not None
     assert end is not None
     samples, lowest = law.model.samples, law.model.field.lowest_terms
@@ -74,6 +76,9 @@ def _by_law(law: MotionLaw | None, end: Ratio | None) -> TurnedWay | None:
     for time, place in found[0]:
         now = samples.at_starts(time)[0]
         if now >= until * (1 - _SAME):
+            within = _within_a_period(law, there, turns, turns[0] if turns else place)
+            if within is not None:
+                return TurnedWay(turns, [need for need in (*needs, *within) if not need[0].is_zero()])
             needs.append((lowest(time - end), ">="))
             break
         if len(turns) >= _MOST:
@@ -83,6 +88,21 @@ def _by_law(law: MotionLaw | None, end: Ratio | None) -> TurnedWay | None:
     if turns:
         needs.append((lowest(end - last), ">="))
     return TurnedWay(turns, [need for need in needs if not need[0].is_zero()])
+
+
+def _within_a_period(
+    law: MotionLaw, there: Reached | None, turns: Sequence[Ratio], first_turn: Ratio
+) -> list[Need] | None:
+    """What tells of a harmonic motion at an event of its own, which comes within a period, how often it has turned: it
+    goes on as at first or against that, and is ahead of its start or behind it. None for other laws."""
+    if there is None or there.speed is None or law.half_period is None or not law.is_undamped:
+        return None
+    f, samples = law.model.field, law.model.samples
+    sense = 1 if samples.at_starts(f.lowest_terms(first_turn - law.q0))[0] > 0 else -1
+    ahead, onward = (f.lowest_terms(sense * x) for x in (there.at - law.q0, there.speed))
+    if len(turns) == 1:
+        return [(-onward, ">=")]
+    return [(onward, ">="), (-ahead if turns else ahead, ">=")] if len(turns) <= _IN_A_PERIOD else None
 
 
 def _turnings(law: MotionLaw) -> tuple[Iterator[tuple[Ratio, Ratio]], list[Need]] | None:
