@@ -44,13 +44,85 @@ def test_one_way(text: str, question: str, formula: str) -> None:
 
 
 @pytest.mark.parametrize(
-    "question", ["distance travelled along y until y = -h", "distance travelled along y after 2 s"]
+    ("question", "formula"),
+    [
+        ("distance travelled along y until y = -h", "v^2/g + h"),  # up v^2/(2 g), and down that and h
+        ("distance travelled along y after 2 s", "v^2/g - 2*v + 2*g"),  # v^2/(2 g) + g (2 - v/g)^2/2
+        ("distance travelled along y until y = 0", "v^2/g"),
+        ("average speed of ball until y = 0", "v/2"),
+        ("length of the path of ball until y = -h", "v^2/g + h"),
+        ("change of y until y = -h", "-h"),
+    ],
 )
-def test_where_it_turns_back_the_change_of_place_is_no_answer(question: str) -> None:
-    found = posed(THROW, question)
-    assert found.expression is None
-    assert "turns back" in found.reason
-    is_formula(THROW, "change of y until y = -h", "-h")
+def test_where_it_turns_back_both_ways_count(question: str, formula: str) -> None:
+    is_formula(THROW, question, formula)
+
+
+SWINGING = """
+parameters: {m: 0.5 kg, k: 80 N/m, A: 0.1 m}
+bodies: {P: {particle: {mass: m}}}
+connections: {bed: {slider: {body: P, along: right}}}
+loads: {spring: {law: {measure: x, force: -k*x}}}
+measures: {x: x of P}
+start: {x: A, rate(x): 0}
+"""
+TORSION = """
+parameters: {J: 2 kg m^2, c: 8 N m, a: 90 deg}
+bodies: {wheel: {body: {inertia: J}}}
+connections: {axle: {pin: [ground.O, wheel]}}
+loads: {spring: {law: {measure: phi, force: -c*phi}}}
+measures: {phi: {angle of wheel}}
+start: {phi: a, rate(phi): 0}
+"""
+STARTED = SWINGING.replace("A: 0.1 m", "A: 0.1 m, v: 2 m/s").replace("rate(x): 0", "rate(x): v")
+DAMPED = SWINGING.replace("A: 0.1 m", "A: 0.1 m, c: 2 kg/s").replace("-k*x}", "-k*x - c*rate(x)}")
+PENDULUM = """
+parameters: {m: 2 kg, L: 1.5 m, a: 40 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.O to bob from down}}
+start: {phi: a, rate(phi): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        # a full swing is four amplitudes long, in 2 pi/w
+        (SWINGING, "distance travelled along x until x = A", "4*A"),
+        (SWINGING, "average speed of P until x = A", "2*A*sqrt(k/m)/pi"),
+        # 3 s are 12 half swings of two amplitudes each, and a little more
+        (SWINGING, "distance travelled along x until t = 3 s", "24*A + A - A*cos(3*sqrt(k/m))"),
+        # with a speed at the start the amplitude is sqrt(A^2 + m v^2/k)
+        (STARTED, "distance travelled along x until x = A", "2*sqrt(A^2 + m*v^2/k) - 2*A"),
+        (STARTED, "distance travelled along x until rate(x) = v", "4*sqrt(A^2 + m*v^2/k) - 2*A"),
+        (PENDULUM, "length of the path of bob until rate(phi) = 0", "2*L*a"),
+        (PENDULUM, "length of the path of bob until phi = a", "4*L*a"),
+        (PENDULUM, "distance travelled along phi until phi = a", "4*a"),
+        (TORSION, "turns of wheel until phi = a", "2*a/pi"),
+    ],
+)
+def test_a_swing_has_the_length_of_its_pieces(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)
+
+
+def test_every_swing_of_a_damped_motion_is_shorter() -> None:
+    """From rest at A it turns at -A r, A r^2 ..., r = exp(-d pi/w): A (1 + 2 r + r^2) until 2 pi/w."""
+    d, w0 = 2.0, math.sqrt(160.0)
+    w = math.sqrt(w0**2 - d**2)
+    r = math.exp(-d * math.pi / w)
+    text = DAMPED.replace("A: 0.1 m", f"A: 0.1 m, T: {2 * math.pi / w + 0.01} s")
+    x = math.exp(-d * (2 * math.pi / w + 0.01)) * (math.cos(w * 0.01) + d / w * math.sin(w * 0.01))
+    found = posed(text, "distance travelled along x until t = T")
+    assert found.expression is not None
+    assert found.value == pytest.approx(0.1 * (1 + 2 * r + r**2 + abs(r**2 - x)), rel=1e-9)
+
+
+def test_that_it_has_not_turned_yet_is_a_condition() -> None:
+    throw = THROW.replace("h: 3 m", "h: 3 m, T: 0.5 s")
+    found = is_formula(throw, "distance travelled along y until t = T", "v*T - g*T^2/2")
+    assert [str(c) for c in found.conditions] == ["v ≥ g·T (how often it turns back)"]
 
 
 ON_A_SLOPE = """
@@ -134,9 +206,50 @@ def test_what_turns_back_for_some_parameters_only_has_its_way_where_it_goes_on()
     way = "distance travelled along travel of ball along table until rolling begins"
     found = is_formula(BACKSPIN, way, "2*(6*v - r*w)*(v + r*w)/(49*mu*g)")
     assert [str(c) for c in found.conditions] == ["5·v ≥ 2·r·w"]
-    back = posed(BACKSPIN.replace("20 rad/s", "400 rad/s"), way)
-    assert back.expression is None
-    assert "turns back" in str(back.reason)
+    # with more backspin it turns back while it slips: on v^2/(2 mu g), and back until it rolls with (2 r w - 5 v)/7
+    both = "v^2/(2*mu*g) + ((2*r*w - 5*v)/7)^2/(2*mu*g)"
+    back = is_formula(BACKSPIN.replace("20 rad/s", "400 rad/s"), way, both)
+    assert [str(c) for c in back.conditions] == ["2·r·w ≥ 5·v"]
+
+
+ON_A_BED = """
+parameters: {m: 3 kg, al: 30 deg, mu: 0.2, v: 5 m/s, T: 2 s, g: 9.81 m/s^2}
+ground: {lines: {slope: {along: al}}}
+bodies: {P: {particle: {mass: m}}}
+connections: {bed: {contact: {between: [P, slope]}}}
+loads: {weight: {gravity: g}}
+measures: {s: {travel of P along slope}}
+start: {s: 0, rate(s): v}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "question", "formula"),
+    [
+        (ON_A_BED, "distance travelled along s until s = 0", "v^2/(g*sin(al))"),
+        (ON_A_BED, "length of the path of P until t = T", "v^2/(2*g*sin(al)) + g*sin(al)*(T - v/(g*sin(al)))^2/2"),
+        (
+            ON_A_BED.replace("slope]", "slope], friction: mu"),
+            "distance travelled along s until s = 0",
+            "v^2/(g*(sin(al) + mu*cos(al)))",
+        ),
+    ],
+)
+def test_what_slides_up_a_slope_and_back(text: str, question: str, formula: str) -> None:
+    is_formula(text, question, formula)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "told"),
+    [
+        (THROW, "distance travelled along y until y = -h", "turns back once"),
+        (SWINGING, "length of the path of P until x = A", "turns back once"),
+        (PENDULUM, "length of the path of bob until phi = a/2", "times as long as the way"),
+        (ON_A_BED, "distance travelled along s until s = 0", "Way without sign"),
+    ],
+)
+def test_where_it_turns_back_is_told(model: str, question: str, told: str) -> None:
+    assert told in " ".join(is_derived(model, question)["en"].split())
 
 
 COLLISION = """

@@ -499,3 +499,14 @@ def test_where_a_size_is_greatest_is_on_both_sides() -> None:
     assert [str(n) for n in speed.notes] == ["largest at th = 90° and th = -90°"]
     torque = is_formula(SCOTCH_YOKE, "greatest driving torque of motor over a turn", "m*r^2*w^2/2")
     assert [str(n) for n in torque.notes] == ["least at th = 135° and th = -45°", "largest at th = -135° and th = 45°"]
+
+
+def test_an_inequality_until_an_event_is_so_all_the_way() -> None:
+    """V = m g at the start, and less behind it (a small): V <= S until 60 deg where m <= S/g; V(60 deg) is less."""
+    text = FALLING_ROD.replace("a: 1 deg", "a: 1 deg, S: 20 N")
+    all_the_way = is_formula(
+        text, "largest m so that vertical reaction of hinge <= S until th = 60 deg", "4*S/(g*(1 + 3*cos(a)^2))", (1.0,)
+    )
+    assert all_the_way.value == pytest.approx(20 / 9.81, rel=1e-3)
+    there = posed(text, "largest m so that vertical reaction of hinge <= S when th = 60 deg")
+    assert there.value == pytest.approx(16 * 20 / 9.81, rel=1e-2)

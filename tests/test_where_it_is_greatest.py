@@ -147,3 +147,26 @@ def test_ships_that_part_are_closest_at_the_start() -> None:
 def test_the_least_speed_is_derived_at_its_instant() -> None:
     told = is_derived(STONE, "least speed of stone")
     assert "v = v₀⋅cos(b)" in told["en"]
+
+
+SWING = """
+parameters: {m: 1 kg, L: 2 m, a: 40 deg, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of line from ground.O to bob from down}}
+start: {phi: a, rate(phi): 0}
+"""
+
+
+def test_both_ends_of_a_swing_are_told() -> None:
+    """S = m g (3 cos phi - 2 cos a) is least at both turns, and greatest once."""
+    least = posed(SWING, "least tension of rod")
+    assert [str(n) for n in least.notes] == ["least at φ = a and φ = -a"]
+    there = posed(SWING, "phi when tension of rod is least")
+    assert "least at φ = a and φ = -a" in [str(n) for n in there.notes]
+    assert [str(n) for n in posed(SWING, "greatest tension of rod").notes] == ["largest at φ = 0"]
+
+
+def test_both_ends_stand_in_the_table_of_a_derivation() -> None:
+    assert "-a" in " ".join(is_derived(SWING, "least tension of rod")["en"].split())

@@ -192,6 +192,7 @@ def _range(
 ) -> Meant | None:
     """The values of a parameter for which an inequality holds."""
     left, sign, right = inequality
+    whole = right
     right, condition = (right, None) if when is not None else event_at_end(names, right)
     starts = condition is None and without_start(right) != right
     timed = f" when {condition}" if condition is not None else " at start" if starts else ""
@@ -199,6 +200,9 @@ def _range(
     if has_quantities(names, right):
         left, right = f"({left}) - ({right})", "0"
     asked = read(names, left + timed, when)
+    if asked is not None and asked.quantity.scope == "instant" and whole.endswith(f" until {condition}"):
+        left, timed = f"{'greatest' if sign in ('<', '<=') else 'least'} ({left})", f" until {condition}"
+        asked = read(names, left + timed, when)  # what is so until an event is so all the way to it
     if asked is None:
         return None
     target = compared(names, right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO

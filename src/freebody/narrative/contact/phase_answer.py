@@ -33,6 +33,7 @@ from freebody.study.answering.passage import NumericPassage, drivers
 from freebody.study.phases.evidence import number_in_blow
 from freebody.study.phases.over_time import over_time
 from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
+from freebody.study.phases.turns_seen import turns_seen
 from freebody.study.phases.witness import PhaseSnapshot
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
@@ -97,6 +98,7 @@ def _passage(base: System, world: World) -> NumericPassage:
         lost,
         ways=lambda: pairwise(instants),
         over_time=partial(over_time, base, seen),
+        turned=partial(turns_seen, seen),
         takes_energy=takes_energy,
     )
 

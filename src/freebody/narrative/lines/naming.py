@@ -13,7 +13,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import ASKED, Meaning, World
 from freebody.narrative.lines.script import Legend, Script, Sentence
 from freebody.questions.reading import Question
-from freebody.study.answering.numbers import integral_until, work_until
+from freebody.study.answering.numbers import integral_until, turns_until, work_until
 from freebody.study.answering.passage import smooth_numbers
 from freebody.study.mobility.centres import moving_for
 from freebody.symbolic.field import Ratio
@@ -109,7 +109,8 @@ def asked_symbol(context: Context, question: Question, n: int = 1) -> Symbol:
         setup, end = context.setup, world.snapshot.t
         work = partial(work_until, setup, draw=world.draw, event=question.event, end=end)
         over_time = partial(integral_until, setup, draw=world.draw, event=question.event, end=end)
-        passage = smooth_numbers(setup, world.draw.start(), world.snapshot, work, over_time=over_time)
+        turned = partial(turns_until, draw=world.draw, end=end)
+        passage = smooth_numbers(setup, world.draw.start(), world.snapshot, work, over_time=over_time, turned=turned)
         return float(quantity.counted(passage))
 
     def of_pose(world: World) -> float:

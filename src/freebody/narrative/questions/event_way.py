@@ -33,6 +33,7 @@ from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
 TIME = Symbol("t")
+_BOTH = 2  # places between which something swings
 
 
 @dataclass
@@ -152,13 +153,13 @@ def _change(q: Change, way: AtEvent, lines: Sequence[int]) -> None:
 
 @_tell_asked.register(Travelled)
 def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
-    """How far a measure has gone: the solver has a formula only where it goes one way."""
+    """How far a measure has gone: one way, or to and fro from one turn to the next."""
     _counted(q, way, lines, "course.travelled")
 
 
 @_tell_asked.register(PathLength)
 def _path(q: PathLength, way: AtEvent, lines: Sequence[int]) -> None:
-    """How long the path of a point is: the solver has a formula only where it is straight, or the speed constant."""
+    """How long the path of a point is: where it is straight, as on a circle, or the speed constant."""
     _counted(q, way, lines, "course.path_length")
 
 
@@ -182,7 +183,26 @@ def _counted(q: Quantity, way: AtEvent, lines: Sequence[int], why: str) -> None:
         symbol = asked_symbol(context, way.question)
         script.add(asked_entry(symbol, way.question))
         args: dict[str, Argument] = {"lines": uses}
-        script.line(symbol, tidy(q.counted(passage)), why=why, args=args, uses=uses, when="event")
+        counted = tidy(q.counted(passage))
+        if passage.arms:
+            arm, c = passage.arms[0]
+            script.say("course.by_arc", arm=tidy(arm), rate=rates_of(c.name, 1), name=Symbol(c.name))
+        if passage.turns:
+            _tell_turns(script, passage.turns)
+            why = f"{why}_turning"
+        elif passage.arms:
+            why = f"{why}_on"
+        script.line(symbol, counted, why=why, args=args, uses=uses, when="event")
+
+
+def _tell_turns(script: Script, turns: Sequence[Ratio]) -> None:
+    """Where it turns back."""
+    if len(turns) == 1:
+        script.say("course.turns_once", place=tidy(turns[0]))
+    elif len({x.key() for x in turns}) == _BOTH:
+        script.say("course.turns_between", n=len(turns), place=tidy(turns[0]), other=tidy(turns[1]))
+    else:
+        script.say("course.turns_often", n=len(turns), place=tidy(turns[0]))
 
 
 @_tell_asked.register(Work)

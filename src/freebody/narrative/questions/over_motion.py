@@ -86,5 +86,5 @@ def table_of_places(context: Context, script: Script, seen: Along, found: Sequen
     places = "steady.places_of_motion" if seen.repeats else "steady.places_of_way"
     script.say(places, name=Symbol(seen.c.name))
     header = (Sentence("steady.table_place"), Sentence("steady.table_value"))
-    rows = [(seen.place_text(s), tidy(seen.value_of(s))) for s in found if seen.is_inside(s)]
+    rows = [(at, tidy(seen.value_of(s))) for s in found if seen.is_inside(s) for at in seen.place_texts(s)]
     script.add(FormulaTable(header, tuple(rows)))

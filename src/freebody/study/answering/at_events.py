@@ -51,7 +51,8 @@ class FindingAtEvents(FindingByKind):
             return self._at_the_start_alone(q, event)
         conditions = self._comes(event, reached)
         # a formula with signs that were taken at the start is compared only where they are so, there and at the event
-        x, there = self._there(q, reached)
+        x, there, counted = self._there(q, reached)
+        conditions += counted
         if has_integrals(x):
             conditions += [c for c, _possible in (require(*need) for need in reached.timed) if c is not None]
         self._check_is_told(x)
@@ -101,23 +102,25 @@ class FindingAtEvents(FindingByKind):
         never = NeverHappens(event.never)
         return insisted((Condition(x, relation, event.comes) for x, relation in needed), never)
 
-    def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState]:
-        """A quantity at an event, and the state there; with the loops solved first where the formula is too long
-        otherwise."""
+    def _there(self, q: Quantity, reached: Reached) -> tuple[Elements, SymbolicState, list[Condition]]:
+        """A quantity at an event, the state there, and what it needs where it is counted until then; with the loops
+        solved first where the formula is too long otherwise."""
         there = SymbolicState(self.model, self.setup.motion.known_at(reached))
         found: Elements | None = None
+        passage = smooth_passage(self.setup, reached, self._elements, there)
         with suppress(FormulaTooLong):
-            found = q.counted(smooth_passage(self.setup, reached, self._elements, there))
+            found = q.counted(passage)
         parts = found if isinstance(found, tuple) else (found,)
         if found is not None and not any(isinstance(x, Ratio) and n_terms_in_all(x) > _SWOLLEN for x in parts):
-            return found, there
+            return found, there, passage.counted_so(self.setup.state.here)
         try:
             staged = StagedState(self.model, self.setup.motion.closure.at({}), there.values)
-            return q.counted(smooth_passage(self.setup, reached, self._elements, staged)), staged
+            by_loops = smooth_passage(self.setup, reached, self._elements, staged)
+            return q.counted(by_loops), staged, by_loops.counted_so(self.setup.state.here)
         except (CannotAnswer, ZeroDivisionError):
             if found is None:
                 raise
-            return found, there
+            return found, there, passage.counted_so(self.setup.state.here)
 
     def _at_the_start_alone(self, q: Quantity, event: QuestionEvent) -> Finding:
         """Of an event that is there at the start and does not come again."""

@@ -8,6 +8,7 @@ from dataclasses import dataclass
 from freebody.measures.base import Measure
 from freebody.symbolic.field import Ratio
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.turned_ways import TurnedWay
 
 
 @dataclass(frozen=True)
@@ -18,6 +19,7 @@ class FormulaPhase:
     end: SymbolicState
     told: Callable[[Ratio], Ratio]
     time: Ratio | None = None  # how long it lasts, where that has a closed form
+    turned: Callable[[Ratio], TurnedWay | None] | None = None  # where something that moves in it turns back
 
     @property
     def told_zero(self) -> Ratio:

@@ -18,8 +18,8 @@ from typing import Any
 
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.expression import Symbol
-from freebody.language.notation import compared, reworded
-from freebody.language.sentences import Message
+from freebody.language.notation import compared, joined, reworded
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import Described, Quantity
@@ -241,20 +241,28 @@ class Along:
         f = self.setup.model.field
         return f.sqrt(s.value, self.setup.model.samples.is_negative) if self.is_root else s.value
 
-    def place_text(self, s: Stationary) -> str:
-        """One of its places: that nearest to where the coordinate is zero, of those to which the motion comes; of what
-        goes on and on, ahead of the start."""
-        there = [one for one in s.places if s.is_turn or self._is_inside(one[1][0])] or list(s.places)
+    def place_texts(self, s: Stationary) -> list[str]:
+        """All of its places to which the motion comes; of what goes on and on that nearest ahead of the start, or to
+        where the coordinate is zero."""
+        there = [one for one in s.places if self._is_passed(one[1][0])] or list(s.places)
         if self.span.ends is None:
             begin = self._first(self.way.q0)
             there = [one for one in there if self.way.sense * (one[1][0] - begin) >= 0.0] or there
-        place, _numbers = min(there, key=lambda one: abs(one[1][0]))
-        return compared(Symbol(self.c.name), "=", tidy(place))
+            there = [min(there, key=lambda one: abs(one[1][0]))]
+        there.sort(key=lambda one: (abs(one[1][0]), -one[1][0]))
+        apart = [one for k, one in enumerate(there) if all(abs(one[1][0] - o[1][0]) > _NEAR for o in there[:k])]
+        return [compared(Symbol(self.c.name), "=", tidy(place)) for place, _numbers in apart]
+
+    def _is_passed(self, v: float) -> bool:
+        """Whether the motion comes to a place, or turns there, at the model's own values."""
+        ends = () if self.span.ends is None else self.span.ends
+        return self._is_inside(v) or any(abs(v - self._first(end)) <= _NEAR for end in ends)
 
     def where(self, which: str, s: Stationary) -> str:
-        """At which place it is."""
-        shown = self.place_text(s)
-        return reworded(Message("{which} at {places}", which=which, places=shown), shown)
+        """At which places it is."""
+        shown = self.place_texts(s)
+        told = Message("{which} at {places}", which=which, places=in_turn(shown, "{first} and {second}"))
+        return reworded(told, joined(shown, " or "))
 
 
 def _with(found: list[Stationary], new: Stationary) -> list[Stationary]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from functools import partial, singledispatch
+from itertools import pairwise
 
 import numpy as np
 
@@ -26,13 +27,15 @@ from freebody.study.answering.crosscheck import as_parts
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.magnitude import power_size
 from freebody.study.answering.passage import smooth_numbers
-from freebody.study.answering.witness import TOLERANCE, motion_to, patience, states_at
+from freebody.study.answering.witness import TOLERANCE, motion_to, patience, states_at, turned_on_the_way
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
 from freebody.study.where_true import insist_on_truth
 from freebody.system.modes import depends_on_time
 
 N_PANELS = 16
+_FEWEST_PANELS = 4  # between two halts
+_APART = 1e-7  # of the time: halts that are nearer to each other are one
 LONGEST = 60.0  # [s] that an event is waited for
 _N_LOOKS = 2401  # in that time
 _FARTHER = 1e-6  # of the size: what is more than how exactly it is seen
@@ -42,7 +45,13 @@ def at_event(setup: Setup, quantity: Quantity, draw: Draw, start: Snapshot, unti
     found = motion_to(draw.reference, start, until, event)
     work = partial(work_until, setup, draw=draw, event=event, end=found.time)
     over_time = partial(integral_until, setup, draw=draw, event=event, end=found.time)
-    return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links, over_time))
+    turned = partial(turns_until, draw=draw, end=found.time)
+    return quantity.counted(smooth_numbers(setup, start, found.event, work, found.links, over_time, turned))
+
+
+def turns_until(measures: Sequence[Measure], draw: Draw, end: float) -> Sequence[Snapshot]:
+    """The instants before another one at which one of some measures turns back."""
+    return turned_on_the_way(draw.reference, draw.start(), end, measures)
 
 
 def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: float) -> float:
@@ -56,26 +65,32 @@ def work_until(setup: Setup, load: str, draw: Draw, event: AskedEvent, end: floa
 
 
 def integral_until(
-    setup: Setup, quantity: Quantity, draw: Draw, event: AskedEvent, end: float
+    setup: Setup, quantity: Quantity, halts: Sequence[float] = (), *, draw: Draw, event: AskedEvent, end: float
 ) -> float | tuple[float, ...]:
-    """The integral of a quantity, or of each component of it, over time from the start to an event."""
-    seen, weights = _panels(draw, event, end)
+    """The integral of a quantity, or of each component of it, over time from the start to an event. halts: instants on
+    the way at which its slope may jump."""
+    seen, weights = _panels(draw, event, end, halts)
     total = weights @ np.array([as_parts(quantity.value(setup.system, s)) for s in seen])
     return tuple(float(x) for x in total) if len(total) > 1 else float(total[0])
 
 
-def _panels(draw: Draw, event: AskedEvent, end: float) -> tuple[Sequence[Snapshot], Array]:
+def _panels(draw: Draw, event: AskedEvent, end: float, halts: Sequence[float] = ()) -> tuple[Sequence[Snapshot], Array]:
     """States between the start and an event, and their weights in an integral over the time: Gauss-Legendre points in
-    panels."""
+    panels, none of which reaches over one of the halts."""
     start = draw.start()
     nodes, weights = np.polynomial.legendre.leggauss(8)
-    half = 0.5 * (end - start.t) / N_PANELS
-    centers = start.t + half * (2.0 * np.arange(N_PANELS) + 1.0)
-    times = (centers[:, None] + half * nodes).ravel()
-    found = motion_to(draw.reference, start, end + half, event, times)
+    ends = [start.t]
+    for t in halts:
+        if min(t - ends[-1], end - t) > _APART * (end - start.t):
+            ends.append(t)
+    n_panels = max(_FEWEST_PANELS, N_PANELS // len(ends))
+    edges = np.array([np.linspace(a, b, n_panels + 1) for a, b in pairwise((*ends, end))])
+    halves, centers = (0.5 * np.diff(edges)).ravel(), (0.5 * (edges[:, 1:] + edges[:, :-1])).ravel()
+    times = (centers[:, None] + halves[:, None] * nodes).ravel()
+    found = motion_to(draw.reference, start, end + halves[-1], event, times)
     wanted = set(times.tolist())  # where the motion turns there are states as well
     seen = [s for s in found.links if s.t in wanted]
-    return seen, half * np.tile(weights, N_PANELS)
+    return seen, (halves[:, None] * weights).ravel()
 
 
 def number_instead(setup: Setup, question: Question) -> Value:

@@ -6,8 +6,11 @@ adds a phase of no length behind the event where the value just after it is mean
 
 from __future__ import annotations
 
+from collections import Counter
 from collections.abc import Callable, Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
+from functools import partial
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -26,13 +29,15 @@ from freebody.questions.energy import Energy, resists
 from freebody.questions.motion import OfPoint
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
+from freebody.study.answering.over_time import FORCE_CHANGES, by_momentum, over_time
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
-from freebody.symbolic.antiderivative import antiderivative
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.field import Ratio
-from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
+from freebody.symbolic.turned_ways import turned_way
+from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 
 _WORK_INSTEAD = Message("that is counted where contacts or dry friction are; here ask for the work of a load")
@@ -42,12 +47,10 @@ _TURNS_BACK = CannotAnswer(
     )
 )
 _TURNED = 1e-12  # rad: less is round-off
-FORCE_CHANGES = Message(
-    "the force changes on the way, and its impulse has no closed form here; ask for the change of the momentum"
-)
 _CURVED = Message("the point moves on a curve, and the length of its path has no closed form here")
 _CURVED_OR_BACK = CannotAnswer(Message("the point moves on a curve or turns back, so the length was not checked"))
 _ROUND_OFF = 1e-9  # of the product of two rates
+_ASIDE = 1e-8  # of a path: less is no curve
 _N_ON_THE_WAY = 3  # steps of a path that tell whether it is straight
 
 
@@ -82,6 +85,18 @@ class FormulaPassage:
     sqrt: Callable[[Ratio], Ratio]
     # coordinates and speeds that stay as they start
     still: Mapping[int, Ratio] = field(default_factory=dict[int, Ratio], kw_only=True)
+    # what is counted needs: that it turns back as often as was counted
+    needs: list[tuple[Ratio, str]] = field(default_factory=list[tuple[Ratio, str]], kw_only=True)
+    # of a path that is so many times the way of a coordinate: R and this
+    arms: list[tuple[Ratio, Coordinate]] = field(default_factory=list[tuple[Ratio, Coordinate]], kw_only=True)
+    # the values at which what was counted turns back
+    turns: list[Ratio] = field(default_factory=list[Ratio], kw_only=True)
+
+    def counted_so(self, here: Callable[[Ratio], Ratio]) -> list[Condition]:
+        """What was counted needs. here: takes an element to where it is told."""
+        why = Message("how often it turns back")
+        told = (require(here(x), relation, why)[0] for x, relation in self.needs)
+        return [condition for condition in told if condition is not None]
 
     def time(self) -> Ratio:
         if self.elapsed is None:
@@ -170,12 +185,15 @@ class FormulaPassage:
         return total.field.lowest_terms(total)
 
     def _length_in(self, phase: FormulaPhase, axes: Sequence[Displacement]) -> Ratio:
-        """Where it runs straight on, v = u e with a constant direction e, or is as fast all the time, v . a = 0."""
+        """Where it runs as a point on a circle does, |v| = R |u|, or straight on, v = u e with a constant direction e,
+        or is as fast all the time, v . a = 0."""
         model = phase.begin.model
         state, f = SymbolicState(model), model.field
         rates = [(m, u) for m in axes if not (u := f.lowest_terms(f.follow(state.rate(m), self.still))).is_zero()]
         if not rates:
             return phase.told_zero
+        if (found := self._by_arc(phase, [u for _m, u in rates])) is not None:
+            return found
         first, along = rates[0]
         shares = [f.lowest_terms(u / along) for _m, u in rates]
         if not any(f.ingredients(x) & model.moving for x in shares):
@@ -188,6 +206,49 @@ class FormulaPassage:
         square = sum((phase.begin.rate(m) ** 2 for m in axes), f.zero)
         return phase.told(phase.begin.sqrt(f.lowest_terms(square)) * phase.time)
 
+    def _by_arc(self, phase: FormulaPhase, rates: Sequence[Ratio]) -> Ratio | None:
+        """R times the way of the one coordinate that moves, where all rates are its own, times what makes a constant R
+        together."""
+        model, f = phase.begin.model, phase.begin.model.field
+        moving = [c for c in model.coordinates if any(c.speed in f.ingredients(u) for u in rates)]
+        if len(moving) != 1:
+            return None
+        (c,) = moving
+        arms = [f.lowest_terms(u / f.variable(c.speed)) for u in rates]
+        square = f.lowest_terms(sum((x * x for x in arms), f.zero))
+        if f.ingredients(square) & model.moving:
+            return None
+        gone = self._by_turns(phase, f.variable(c.index), Message("which way it goes depends on the parameter values"))
+        arm = phase.begin.sqrt(square)
+        self.arms.extend([] if arm.is_one() else [(arm, c)])
+        return None if gone is None else gone * phase.told(arm)
+
+    def _by_turns(self, phase: FormulaPhase, value: Ratio, depends: Message) -> Ratio | None:
+        """The way of what moves in a phase: |q1 - q0| + |q2 - q1| + ... from one turn to the next. None where nothing
+        tells where it turns."""
+        way = None if phase.turned is None else phase.turned(value)
+        if way is None:
+            return None
+        f = phase.begin.model.field
+        places = [phase.begin.here(value), *way.turns, phase.end.here(value)]
+        pairs = Counter((id(a), id(b)) for a, b in pairwise(places))
+        known, zero = {id(x): x for x in places}, phase.told_zero
+        sense, total = 0.0, zero
+        for k, (a, b) in enumerate(pairwise(places)):
+            n = pairs.pop((id(a), id(b)), 0)
+            if not n:
+                continue
+            x = phase.told(f.lowest_terms(known[id(b)] - known[id(a)]))
+            if not k:
+                sense = float(np.sign(self.numbers(x)[0]))
+                if np.isnan(sense):
+                    raise CannotAnswer(depends)
+                self.needs.extend([(int(sense) * x, ">=")] if sense else [])
+            total = total + n * int(sense) * (-1) ** k * x
+        self.needs.extend((phase.told(x), relation) for x, relation in way.needs)
+        self.turns.extend(map(phase.told, way.turns))
+        return total
+
     def _gone(self, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
         """How far a measure has gone, phase by phase."""
         gone = [self._gone_in(phase, measure, both_ways, depends) for phase in self.phases]
@@ -196,6 +257,10 @@ class FormulaPassage:
     def _gone_in(self, phase: FormulaPhase, measure: Measure, both_ways: CannotAnswer, depends: Message) -> Ratio:
         """How far a measure has gone in one phase. Where it turns back for some parameters, and not for the first, that
         it goes on at the end as at the beginning is taken to be so."""
+        model = phase.begin.model
+        value = model.field.lowest_terms(model.field.follow(model.value_of(measure), self.still))
+        if (found := self._by_turns(phase, value, depends)) is not None:
+            return found
         begins, ends = (self.numbers(x) for x in phase.rates(measure))
         goes_on = ~(begins * ends < -_ROUND_OFF)
         if not goes_on[:1].all():
@@ -238,52 +303,6 @@ class FormulaPassage:
         return tuple(map(first.told, x)) if isinstance(x, tuple) else first.told(x)
 
 
-def by_momentum(x: Ratio, phase: FormulaPhase, time: Ratio | None) -> Ratio | None:
-    """The integral over the time of what changes as the force F of one freedom does: with x = k F + rest and constant
-    k and mass, k M (u1 - u0) and the integral of the rest. None where it does not change so."""
-    model, f = phase.begin.model, phase.begin.model.field
-    clock = f.index(f.time)
-    moving = model.moving - {clock}
-    if len(model.coordinates) != 1 or model.dependent or not f.ingredients(x) & moving:
-        return None
-    ((mass,),), (force,), (c,) = model.dynamics.mass_matrix, model.dynamics.forcing, model.coordinates
-    if f.ingredients(mass) & (moving | {clock}):
-        return None
-    for g in sorted(x.generators()):
-        slope = f.partial(force, g)
-        if not f.ingredients(f.variable(g)) & moving or slope.is_zero():
-            continue
-        share = f.lowest_terms(f.partial(x, g) / slope)
-        rest = f.lowest_terms(x - share * force)
-        if not (f.ingredients(share) & (moving | {clock}) or f.ingredients(rest) & moving):
-            before, after = (state.here(f.variable(c.speed)) for state in (phase.begin, phase.end))
-            total = share * mass * (after - before)
-            if not rest.is_zero():
-                if time is None:
-                    return None
-                others = over_time(rest, model, time)
-                assert not isinstance(others, tuple)
-                total = total + others
-            return f.lowest_terms(total)
-    return None
-
-
-def over_time(x: Elements, model: SymbolicModel, time: Ratio) -> Elements:
-    """The integral over the time from 0. Raises CannotAnswer for what changes with the place or the speed."""
-    if isinstance(x, tuple):
-        parts = (over_time(part, model, time) for part in x)
-        return tuple(part for part in parts if not isinstance(part, tuple))
-    f, clock = model.field, model.field.index(model.field.time)
-    present = f.ingredients(x)
-    if clock not in present and not present & model.moving:
-        return f.lowest_terms(x * time)
-    found = None if present & (model.moving - {clock}) else antiderivative(x, clock)
-    if found is None:
-        raise CannotAnswer(FORCE_CHANGES)
-    at_end, at_start = (f.follow(found, {clock: t}) for t in (time, f.zero))
-    return f.lowest_terms(at_end - at_start)
-
-
 def smooth_passage(
     setup: Setup,
     reached: Reached,
@@ -292,7 +311,8 @@ def smooth_passage(
 ) -> FormulaPassage:
     """A motion of one phase. there: the state at its end, where it is made otherwise."""
     there = there or SymbolicState(setup.model, setup.motion.known_at(reached))
-    phase = FormulaPhase(setup.start_instant, there, lambda x: x, reached.time)
+    turned = partial(turned_way, setup.motion, reached=reached)
+    phase = FormulaPhase(setup.start_instant, there, lambda x: x, reached.time, turned)
     return FormulaPassage(
         setup.system,
         (phase,),
@@ -314,12 +334,16 @@ def along_axes(point: Point, *, in_space: bool) -> tuple[Displacement, ...]:
 
 
 def straight_through(places: Sequence[Sequence[float]]) -> float:
-    """The length of a path from its points, which lie on a line. Raises CannotAnswer where they do not, or where they
-    turn back: how far it gets between them is not known."""
+    """The length of a path from its points, with those at which it turns back, which lie on a line. Raises CannotAnswer
+    where they do not: how far it gets between them is not known."""
     steps = np.diff(np.asarray(places, dtype=np.float64), axis=0)
     lengths = np.linalg.norm(steps, axis=1)
-    whole, total = float(np.linalg.norm(steps.sum(axis=0))), float(lengths.sum())
-    if len(steps) < _N_ON_THE_WAY or total > whole * (1 + _ROUND_OFF) + _TURNED:
+    total = float(lengths.sum())
+    if total <= _TURNED:  # a phase without length
+        return total
+    along = steps[int(np.argmax(lengths))] / lengths.max()
+    aside = np.linalg.norm(steps - np.outer(steps @ along, along), axis=1)
+    if len(steps) < _N_ON_THE_WAY or float(aside.max()) > total * _ASIDE + _TURNED:
         raise _CURVED_OR_BACK
     return total
 
@@ -356,7 +380,8 @@ class NumericPassage:
     work_done: Callable[[str], float] | None = None
     ways: Callable[[], Iterable[Sequence[Snapshot]]] | None = None
     at_begin: Callable[[Quantity], Any] | None = None
-    over_time: Callable[[Quantity], Any] | None = None
+    over_time: Callable[..., Any] | None = None
+    turned: Callable[[Sequence[Measure]], Sequence[Snapshot]] | None = None  # instants at which measures turn back
     takes_energy: frozenset[str] = frozenset()  # connections that rub or collide
     is_smooth: bool = False  # one law all the way, along which `over_time` integrates
 
@@ -400,15 +425,26 @@ class NumericPassage:
         if self.begin.reference.system.space:
             return turns_in_numbers(body, self.ways())
         angle, why = Angle(body), both_ways(body)
+        if self.turned is not None:
+            return self.travelled(angle) / (2.0 * np.pi)
         return sum(gone_through([s.value(angle) for s in instants], why) for instants in self.ways()) / (2.0 * np.pi)
 
     def length(self, point: Point) -> float:
+        axes = along_axes(point, in_space=bool(self.begin.reference.system.space))
         if self.is_smooth and self.over_time is not None:
-            return float(self.over_time(OfPoint(point, 1, size=True)))
+            halts = () if self.turned is None else [s.t for s in self.turned(axes)]
+            return float(self.over_time(OfPoint(point, 1, size=True), halts))
         if self.ways is None:
             raise CannotAnswer(Message("the way is not counted here"))
-        axes = along_axes(point, in_space=bool(self.begin.reference.system.space))
-        return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in self.ways())
+        turns = () if self.turned is None else self.turned(axes)
+        ways = (self._with_turns(instants, turns) for instants in self.ways())
+        return sum(straight_through([[s.value(m) for m in axes] for s in instants]) for instants in ways)
+
+    @staticmethod
+    def _with_turns(instants: Sequence[Snapshot], turns: Sequence[Snapshot]) -> list[Snapshot]:
+        """Instants of one phase in their order, with those at which something turns back in it."""
+        begin, end = instants[0].t, instants[-1].t
+        return sorted((*instants, *(s for s in turns if begin < s.t < end)), key=lambda s: s.t)
 
     def half_swings(self) -> float:
         """Runs of instants between which all goes on the same way: where it turns the velocities are against those
@@ -427,7 +463,11 @@ class NumericPassage:
     def travelled(self, measure: Measure) -> float:
         if self.ways is None:
             raise CannotAnswer(Message("the way is not counted here"))
-        return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
+        if self.turned is None:
+            return sum(gone_through([s.value(measure) for s in instants], _TURNS_BACK) for instants in self.ways())
+        turns = self.turned((measure,))
+        ways = (self._with_turns(instants, turns) for instants in self.ways())
+        return sum(float(np.abs(np.diff([s.value(measure) for s in instants])).sum()) for instants in ways)
 
     def integral(self, quantity: Quantity) -> Any:
         if self.over_time is None:
@@ -447,10 +487,12 @@ def smooth_numbers(
     event: Snapshot,
     work: Callable[[str], float],
     links: Sequence[Snapshot] = (),
-    over_time: Callable[[Quantity], Any] | None = None,
+    over_time: Callable[..., Any] | None = None,
+    turned: Callable[[Sequence[Measure]], Sequence[Snapshot]] | None = None,
 ) -> NumericPassage:
     """A motion of one phase. work: the integral of the power of a load up to the event; links: instants on the way;
-    over_time: the integral of a quantity."""
+    over_time: the integral of a quantity, with instants at which its slope may jump; turned: instants at which
+    measures turn back."""
 
     def lost(of: str) -> float:
         resisting = [] if of else resistances(setup.system)
@@ -470,5 +512,6 @@ def smooth_numbers(
         work,
         lambda: ((start, *links, event),),
         over_time=over_time,
+        turned=turned,
         is_smooth=True,
     )

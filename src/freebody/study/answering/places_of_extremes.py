@@ -14,7 +14,7 @@ from itertools import islice
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Number, Symbol, evaluate, number
-from freebody.language.notation import compared, reworded, to_python
+from freebody.language.notation import Stated, compared, reworded, to_python
 from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
 from freebody.questions.event import ExtremeEvent, FarthestPlace, QuantityEvent, QuestionEvent
@@ -31,6 +31,7 @@ from freebody.system.system import System
 
 _N_DRAWS = 6  # at which two formulas are compared
 _SAME = 1e-9  # relative
+_OR = " | "  # between places, as a condition in Python
 _SAME_NUMBER = 1e-7  # relative: an extreme that was seen in numbers alone
 Solver = Callable[[System], Solution]  # what answers the questions of a system
 
@@ -128,8 +129,9 @@ def _found_at(event: ExtremeEvent, extreme: Answer) -> FoundAt:
     if extreme.expression is None or isinstance(extreme.expression, tuple):
         return FoundAt(conditions, "")
     name = Symbol(event.phrase) if event.phrase.isidentifier() else None
-    if name is None:
-        return FoundAt(conditions, "")
+    if name is None:  # where it is as great at several places, all of them are told
+        several = (note for note in extreme.notes if isinstance(note, Stated) and _OR in str(note.expression))
+        return FoundAt(conditions, next(several, ""))
     equation = compared(name, "=", extreme.expression)
     return FoundAt(
         conditions, reworded(Message("'{event}' is so at {place}", event=event.text, place=equation), equation)

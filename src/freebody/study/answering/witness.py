@@ -167,6 +167,16 @@ def states_at(reference: Reference, start: Snapshot, times: Array) -> tuple[Nume
     return links[: len(times)]
 
 
+def turned_on_the_way(
+    reference: Reference, start: Snapshot, end: float, measures: Sequence[Measure]
+) -> list[NumericSnapshot]:
+    """The states of a motion until an instant at which one of some measures turns back."""
+    watches = [EngineWatch(f"{_TURN} {k}", m, 1, size=least_rate(start, m)) for k, m in enumerate(measures)]
+    course, links = _followed(reference, start, end, watches, np.linspace(start.t, end, N_LINKS))
+    turns = {h.time for h in course.events if start.t < h.time < end}
+    return [s for s in links if s.t in turns]
+
+
 def _at_time(reference: Reference, start: Snapshot, time: float, times: Array | None) -> Found:
     """The motion to an instant by the clock."""
     if time < start.t:

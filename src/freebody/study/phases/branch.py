@@ -104,7 +104,9 @@ def branch_at(
     elif first.watch.kind == "is reached" and any(other.kind == STRIKES for other in first.together):
         notes.append(Message("just before the blow, which comes at the same instant"))
     with signs_taken(tree, (way.last if after is None else after).phase) as taken:
-        value = question.quantity.counted(passage_of(tree, way, time, sets, first, after))
+        passage = passage_of(tree, way, time, sets, first, after)
+        value = question.quantity.counted(passage)
+    taken += passage.counted_so(lambda x: x)
     needed, sets = [*way.conditions, *conditions, *taken], where_so(tree, taken, sets)
     return AnswerBranch(value, True, list(way.nodes), first, needed, sets, time, notes, after)
 

@@ -54,6 +54,7 @@ from freebody.study.phases.quantities import (
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
+from freebody.study.phases.turns_seen import turns_seen
 from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
@@ -369,6 +370,7 @@ def _passage(
         except CannotAnswer:
             return work_over_time(tree.system, seen, load)
 
+    bounces = any(s.event is not None and s.event[0] == BOUNCES_END for s in seen)
     at_end = partial(_value_there, tree, mode, now)
     passage = NumericPassage(
         tree.system,
@@ -379,6 +381,7 @@ def _passage(
         work,
         ways=ways,
         over_time=integral,
+        turned=None if bounces else partial(turns_seen, seen),
         takes_energy=frozenset(taking_energy(tree.system)),
     )
     return passage

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 
@@ -13,7 +13,8 @@ from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.study.answering.passage import FORCE_CHANGES, NO_SWINGS, FormulaPassage, drivers, resistances
+from freebody.study.answering.over_time import FORCE_CHANGES
+from freebody.study.answering.passage import NO_SWINGS, FormulaPassage, drivers, resistances
 from freebody.study.phases.ends import FirstEvent
 from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
@@ -29,8 +30,11 @@ from freebody.study.phases.quantities import (
 )
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.field import Ratio
+from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import UniformMotion
+from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
+from freebody.symbolic.turned_ways import TurnedWay, turned_way
 
 _NO_TIME = Message(
     "the time is the integral of the coordinate over its speed, which has no elementary closed form here; simulate the "
@@ -135,8 +139,9 @@ def passage_of(
         values = node.phase.start.values if ends is None else {**node.phase.still, **ends.zero.values}
         end = SymbolicState(node.phase.model, values)
         told = partial(tree.to_home, node.phase)
-        time = None if ends is None or ends.zero.time is None else told(ends.zero.time)
-        phases.append(FormulaPhase(node.phase.start_instant, end, told, time))
+        own = None if ends is None else ends.zero.time
+        turned = None if own is None else _turned_in(node.phase, own)
+        phases.append(FormulaPhase(node.phase.start_instant, end, told, None if own is None else told(own), turned))
     last = way.last.phase
     if after is not None:
         last = after.phase
@@ -158,6 +163,12 @@ def passage_of(
         first,
         after,
     )
+
+
+def _turned_in(phase: Phase, time: Ratio) -> Callable[[Ratio], TurnedWay | None]:
+    """Where something that moves in a phase turns back until a time of it."""
+    motion = SmoothMotion(phase.model, phase.start)
+    return partial(turned_way, motion, reached=Reached(time, None, time, None))
 
 
 def elements_in(tree: PhaseTree, phase: Phase, quantity: Quantity, state: SymbolicState) -> Elements:

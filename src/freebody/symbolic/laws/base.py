@@ -181,6 +181,15 @@ class MotionLaw:
         """Whether it then is where it was, too."""
         return True
 
+    @property
+    def half_period(self) -> Ratio | None:
+        """After which time it turns the other way; None where it does not swing to and fro alike."""
+        return None
+
+    def turned_after(self, begin: LawInstant, n: int) -> Ratio:
+        """The place at which it turns n half periods after a turn."""
+        raise NotImplementedError
+
     def at(self, t: Ratio) -> tuple[Ratio, Ratio]:
         """Value and rate at a time."""
         raise NotImplementedError

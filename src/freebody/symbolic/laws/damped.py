@@ -148,6 +148,15 @@ class Underdamped(Damped):
     def is_undamped(self) -> bool:
         return False
 
+    @property
+    def half_period(self) -> Ratio:
+        return self.model.field.pi / self.w
+
+    def turned_after(self, begin: LawInstant, n: int) -> Ratio:
+        # from one turn to the next its deviation from the centre becomes -exp(-d pi/w) times as large
+        way = self.decayed(self.model.field.element(n) * self.half_period) * (-1) ** n
+        return self.center + (begin.place - self.center) * way
+
     def center_passed(self) -> tuple[Sequence[_Zero], list[Need]]:
         return [(tau / self.w, key) for tau, key in wave_zeros(self, self.x0, self.drive / self.w)], []
 

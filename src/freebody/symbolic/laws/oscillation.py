@@ -69,6 +69,13 @@ class Oscillation(MotionLaw):
         return 2 * self.model.field.pi / self.w
 
     @property
+    def half_period(self) -> Ratio:
+        return self.model.field.pi / self.w
+
+    def turned_after(self, begin: LawInstant, n: int) -> Ratio:
+        return 2 * self.center - begin.place if n % 2 else begin.place
+
+    @property
     def unit_of_time(self) -> Ratio:
         return 1 / self.w
 
