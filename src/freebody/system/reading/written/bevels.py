@@ -14,6 +14,7 @@ from __future__ import annotations
 from typing import Any, cast
 
 from freebody.connections.base import Connection
+from freebody.language.document.writer import flow_text
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
@@ -47,12 +48,8 @@ def with_bevels(w: Written) -> None:
     teeth = [each.get("teeth") for each in wheels]
     module = next((m for each in wheels if (m := each.get("module")) is not None), None)
     if None in teeth:
-        told = Message(
-            "bevel gears need the teeth of both: {key}: {{{first}: {{teeth: 20}}, {second}: {{teeth: 40}}}}",
-            key=key,
-            **dict(zip(("first", "second"), given, strict=True)),
-        )
-        w.refuse(told, key)
+        example = flow_text({key: {name: {"teeth": n} for name, n in zip(given, (20, 40), strict=True)}})[1:-1]
+        w.refuse(Message("bevel gears need the teeth of both: {example}", example=example), key)
     if (problem := _unread(w, key, wheels, given)) is not None:
         w.refuse(problem, key)
     if module is None:
