@@ -30,9 +30,12 @@ def without_what_holds(names: Names, text: str) -> str:
     return text
 
 
-def what_does_not_hold(names: Names, text: str) -> Message | None:
-    """What is said of a text that assumes what does not hold in the model."""
+def what_does_not_hold(names: Names, text: str, *, is_of_train: bool = False) -> Message | None:
+    """What is said of a text that assumes what does not hold in the model. is_of_train: of the members of a gear train
+    any may be held."""
     for clause, what, who in _assumed(text):
+        if is_of_train and what == _HELD:
+            continue
         if against := [who] if what == _HELD else _against(names, what):
             return Message(
                 "'{clause}' does not hold in this model ({against}); ask without it, or change the model",

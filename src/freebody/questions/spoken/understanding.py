@@ -10,6 +10,7 @@ from typing import TYPE_CHECKING
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
+from freebody.questions.spoken import joining
 from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
 from freebody.questions.spoken.at_distances import at_a_distance
@@ -169,6 +170,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
+    of_train = bool(joining.toothed(names)) and is_specific(told)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
     words = {word for language in languages() for word in vocabulary(language)}  # `after impact` is no parameter
@@ -177,7 +179,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several_ways, "find")
-    elif (other := other_value(names, text) or what_does_not_hold(names, text)) is not None:
+    elif (other := other_value(names, text) or what_does_not_hold(names, text, is_of_train=of_train)) is not None:
         names.problem(other, "find")
     elif (slips := _told_of_words(names, text)) is not None:
         names.problem(slips, "find")
