@@ -292,3 +292,31 @@ connections:
 measures: {xa: x of A, xb: x of B}
 """
     is_formula(carts, "impulse of hit", "(1 + e)*m1*m2*v/(m1 + m2)")
+
+
+AGAINST_A_WALL = """
+parameters: {m: 1 kg, mu: 0.2, v: 4 m/s, e: 0.5, d: 1 m, g: 9.81 m/s^2}
+ground: {points: {W: [d, 0]}, lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections:
+  rub: {contact: {between: [block, floor], friction: mu}}
+  wall: {stop: {measure: x, max: d, restitution: e}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "meant"),
+    [
+        ("velocity of x just after x = d", "velocity of x after the impact"),
+        ("velocity of x immediately before x = d", "velocity of x before the impact"),
+        ("velocity of x kurz nach x = d", "velocity of x after the impact"),
+        ("velocity of x just after x = d/2", "velocity of x when x = d/2"),
+    ],
+)
+def test_just_beside_a_stop_is_beside_its_impact(said: str, meant: str) -> None:
+    """What is so when x = d is so just before the wall strikes back."""
+    [question] = fb.System.from_text(AGAINST_A_WALL).asked_with(said)[1]
+    assert question.understood.replace(" of wall", "") == meant

@@ -44,7 +44,7 @@ from freebody.questions.operands import (
     without_start,
 )
 from freebody.questions.reading_of_parameters import End, read_extremal, read_limit, read_turned_round
-from freebody.questions.reading_when import Meant, as_timed, is_of_start, placed_at
+from freebody.questions.reading_when import Meant, as_timed, beside_a_stop, is_of_start, placed_at
 from freebody.questions.rest import asks_for_rest
 from freebody.questions.sudden import side_of_blow
 from freebody.questions.turned_round import (
@@ -272,6 +272,7 @@ def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]
 
 
 def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
+    text = beside_a_stop(names, text)
     function = _AS_FUNCTION.fullmatch(text)
     if function is not None and function["of"] in names.measures and when is None:
         what, of = function["what"], function["of"]

@@ -16,6 +16,33 @@ from freebody.questions.sudden import by_blows
 _BEHIND = re.compile(r"^(?P<event>.+) when (?P<blow>just after the .*blow.*)$")
 
 
+_BESIDE = re.compile(
+    r"(?P<what>.+?),? (?:just|right|immediately|shortly|directly|unmittelbar|kurz|direkt) "
+    r"(?:(?P<before>before|vor)|after|nach) (?P<measure>\w+) = (?P<value>[^?]+?)\s*[?.]?",
+    re.IGNORECASE,
+)
+
+
+def beside_a_stop(names: Names, text: str) -> str:
+    """A text with the impact in which a measure reaches a value that a stop or a contact bounds: `velocity of x just
+    after gap = 0` is that after the impact. Where nothing strikes nothing jumps, and the instant is meant."""
+    found = _BESIDE.fullmatch(text)
+    measure = None if found is None else names.measures.get(found["measure"])
+    if found is None or measure is None:
+        return text
+    with names.quietly():
+        n_before = len(names.problems)
+        value = names.numeric(names.formula(found["value"], measure.dimension))
+        is_read = value is not None and len(names.problems) == n_before
+        bounds = [(name, one.row) for name, spec in names.connections.items() for one in spec.bounds(names, name)[0]]
+        own = [(name, row.target) for name, row in bounds if row.measure == measure and row.target is not None]
+        struck = [name for name, target in own if is_read and names.numeric(target) == value]
+    if not struck:
+        return f"{found['what']} when {found['measure']} = {found['value']}"
+    side = "before" if found["before"] else "after"
+    return f"{found['what']} {side} the impact{f' of {struck[0]}' if len(bounds) > 1 else ''}"
+
+
 def as_timed(phrase: str) -> str:
     """Words for instants of the clock and for the two sides of a blow as conditions."""
     return by_the_clock(by_blows(phrase))
