@@ -23,6 +23,7 @@ from freebody.model.elements import Parameter
 from freebody.numeric.reference import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
+from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import AskedEvent, Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
@@ -205,6 +206,15 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
             raise SoInRange(told)
         raise CannotAnswer(for_every(setup.system, setup.system.parameters[name], question.text))
     if index not in model.field.ingredients(element):
+        of = quantity.of
+        if isinstance(of, OfMeasure) and of.order == 0 and question.event is None:
+            told = Message(
+                "where it starts does not depend on {name}. Where it rests may: value of {name} for which equilibrium "
+                "of {x} = ...",
+                name=name,
+                x=of.name,
+            )
+            raise CannotAnswer(told)
         raise CannotAnswer(Message("that does not depend on {name}", name=name))
     return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
 
