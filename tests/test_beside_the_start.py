@@ -33,13 +33,13 @@ def test_what_a_blow_makes_of_a_velocity_is_told_beside_the_rate() -> None:
     [answer] = System.from_text(BAT).solve("angular velocity of bat").answers
     assert str(answer.to_plain()["expression"]) == "rate(theta_bat)"
     assert answer.value == pytest.approx(3.0 * 0.4 / (0.9**2 / 3))
-    assert any("just after the blow of the start 3·x·J/(m·L²)" in note for note in answer.notes)
+    assert any("just after the blow of the start it is 3·x·J/(m·L²)" in note for note in answer.notes)
 
 
 def test_a_kinetic_energy_has_its_formula_at_the_start() -> None:
     [answer] = System.from_text(THROWN).solve("kinetic energy of ball").answers
     assert answer.value == pytest.approx(32.0)
-    assert any("at the start m·v0²/2" in note.replace("₀", "0") for note in answer.notes), answer.notes
+    assert any("at the start it is m·v0²/2" in note.replace("₀", "0") for note in answer.notes), answer.notes
 
 
 @pytest.mark.parametrize("question", ["kinetic energy of ball at start", "acceleration of ball", "height of ball"])

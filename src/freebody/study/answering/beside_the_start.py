@@ -37,7 +37,10 @@ def with_start(answer: Answer, at_start: Answer, *, is_struck: bool) -> Answer:
     if not is_plain or not free_symbols(found):  # a number is the value
         return answer
     shown = to_text(found)
-    blow, start = Message("just after the blow of the start {x}", x=shown), Message("at the start {x}", x=shown)
+    blow, start = (
+        Message("just after the blow of the start it is {x}", x=shown),
+        Message("at the start it is {x}", x=shown),
+    )
     return replace(answer, notes=(*answer.notes, Stated(blow if is_struck else start, to_python(found))))
 
 
