@@ -48,7 +48,7 @@ def as_function(system: System, question: Question, event: AnyPlace, solve: Solv
     p = _free_name(system)
     try:
         made = _with_place(system, question, event, p)
-        there = QuestionEvent(event.measure, 0, Symbol(p), event.name)
+        there = QuestionEvent(event.measure, 0, Symbol(p), f"{event.name} = {p}")
         found = asked(made, replace(question, event=there, options={}, key=None))
     except (CannotAnswer, ModelError) as error:
         found = refused(question, str(error))
@@ -109,7 +109,10 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
         if isinstance(text, Message):
             parts = {key: told(x) if isinstance(x, str) else x for key, x in text.arguments.items()}
             return text.of(**parts)
-        shown = str.replace(text, to_text(Symbol(p)), to_text(Symbol(name)))
+        symbol = to_text(Symbol(name))
+        shown = str.replace(text, to_text(Symbol(p)), symbol).replace(p, name)
+        for own in (symbol, name):  # that the place is reached
+            shown = shown.replace(f"{own} = {own}", own)
         of = text.of if isinstance(text, Shown) else None
         return Shown(shown, put(of)) if isinstance(of, Expr) else shown
 
