@@ -125,7 +125,7 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
         expression=all_of(answer.expression),
         value=None,
         conditions=tuple(map(told, answer.conditions)),
-        notes=tuple(map(told, answer.notes)),
+        notes=(*map(told, answer.notes), Message("as it is when it comes to {name} for the first time", name=name)),
         cases=tuple(cases),
         chain=None,
         why_no_value=Message("it is a function of {name}", name=name),
