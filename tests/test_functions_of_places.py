@@ -57,7 +57,7 @@ def test_what_has_no_rates_is_a_function_as_it_stands(agrees: Agree) -> None:
 
 @pytest.mark.parametrize("question", ["speed of rod.end at start as a function of theta"])
 def test_an_instant_beside_a_function_is_refused(question: str) -> None:
-    with pytest.raises(fb.ModelError, match="as a function of what"):
+    with pytest.raises(fb.ModelError, match="not asked as a function of theta"):
         fb.System.from_text(ROD).solve(question)
 
 
@@ -70,3 +70,32 @@ def test_a_root_whose_terms_cancel_is_compared_with_all_its_digits() -> None:
     assert speed.evidence is not None
     assert isinstance(velocity.value, tuple)
     assert speed.value == pytest.approx(abs(velocity.value[0]), rel=1e-9)
+
+
+THROW = """
+parameters: {m: 1 kg, v0: 8 m/s, b: 40 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(b), rate(y): v0*sin(b)}
+"""
+
+
+def test_the_path_of_a_throw_is_a_function_of_its_other_coordinate(agrees: Agree) -> None:
+    """y = x tan(b) - g x^2/(2 v0^2 cos(b)^2): that y is a coordinate of its own makes it no function of x."""
+    solution = fb.System.from_text(THROW).solve("y as a function of x")
+    agrees(solution, "q1", "x*tan(b) - g*x**2/(2*v0**2*cos(b)**2)")
+
+
+def test_a_mean_over_the_way_is_no_function_of_its_end() -> None:
+    with pytest.raises(fb.ModelError, match="not asked as a function of y"):
+        fb.System.from_text(THROW).solve("average speed of ball as a function of y")
+
+
+def test_what_has_no_formula_says_why() -> None:
+    text = FALLING.replace("-c*rate(s)^2", "-c*s^3 - c*rate(s)").replace("20 kg/m", "{value: 20, unit: kg/s}")
+    text = text.replace("-c*s^3", "-c*s^3/T/L^2").replace("g: 9.81", "T: 1 s, L: 1 m, g: 9.81")
+    [answer] = (
+        fb.System.from_text(text.replace("/T/L^2", "/(T*L^2)")).solve("speed of jumper as a function of s").answers
+    )
+    assert any("by s alone it has no formula" in note for note in answer.notes)

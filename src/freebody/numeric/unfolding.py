@@ -85,7 +85,7 @@ def _stretched(
     guess, at = fit.q.copy(), here(elbow)
     x, y, angle = reference.columns(second)
     guess[[x, y]] = 2.0 * at - guess[[x, y]]
-    guess[angle] += np.pi
+    guess[angle] = np.pi - np.remainder(-guess[angle], 2.0 * np.pi)  # half a turn on, within half a turn of zero
     for end, joined in _other_ends(
         reference.system.constraint_rows, second, bars
     ):  # what hangs on its ends goes with them

@@ -16,6 +16,7 @@ from typing import Any, cast
 
 from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
+from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.model.names import Names, did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
@@ -57,6 +58,7 @@ from freebody.questions.turned_round import (
     RangeFor,
 )
 
+_ANYWHERE = "12.345"  # no place that means anything in a model
 _AS_FUNCTION = re.compile(
     r"(?P<what>.+?),? (?:as (?:a )?function of|als Funktion (?:von|der|des)|in Abhängigkeit (?:von|der|des)) (?:the )?"
     r"(?P<of>\w+) ?[?.]?",
@@ -276,19 +278,7 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     function = _AS_FUNCTION.fullmatch(text)
     if function is not None and function["of"] in names.measures and when is None:
         what, of = function["what"], function["of"]
-        with names.quietly():
-            n_before = len(names.problems)
-            is_counted = not _meant_by(names, what, None) or len(names.problems) > n_before
-        found = [
-            (replace(meant, event=None) if is_counted else meant, words.removesuffix(f" until {of} = 0"))
-            for meant, words in _meant_by(names, f"{what} until {of} = 0" if is_counted else what, None)
-        ]
-        if all(meant.event is None and meant.transition is None and not meant.at_start for meant, _ in found):
-            place = AnyPlace.of(names, of)
-            return [(replace(meant, event=place), f"{words} as a function of {place.name}") for meant, words in found]
-        told = Message("say either when it is meant, or as a function of what: '{text}'", text=text)
-        names.problem(told, "find")
-        return []
+        return _as_function(names, text, what, of)
 
     def read(words: str) -> Meant | None:
         return _complete(names, as_condition(names, words.rstrip(" ?!")), when)
@@ -318,6 +308,29 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
         return found
     told = told_in(names, text, *found[0], units[0])
     return [] if told is None else [(told, as_condition(names, found[0][1]))]
+
+
+def _as_function(names: Names, text: str, what: str, of: str) -> list[tuple[Meant, str]]:
+    """A quantity as a function of a measure; what is counted on the way up to it, too."""
+    with names.quietly():
+        n_before = len(names.problems)
+        is_counted = not _meant_by(names, what, None) or len(names.problems) > n_before
+    dimension = names.measures[of].dimension
+    unit = "rad" if dimension == DIMENSIONLESS else str(dimension)
+    until = f" until {of} = {_ANYWHERE} {unit}" if is_counted else ""
+    found = _meant_by(names, f"{what}{until}", None)
+    kinds = (Counted,) if is_counted else (Quantity,)
+    free = [replace(meant, event=None) if is_counted else meant for meant, _ in found]
+    if all(isinstance(m.quantity, kinds) and m.event is None and m.transition is None and not m.at_start for m in free):
+        place = AnyPlace.of(names, of)
+        said = [words.removesuffix(until) for _, words in found]
+        return [
+            (replace(meant, event=place), f"{words} as a function of {of}")
+            for meant, words in zip(free, said, strict=True)
+        ]
+    told = Message("'{text}' is not asked as a function of {of}: ask until, or when, {of} = ...", text=text, of=of)
+    names.problem(told, "find")
+    return []
 
 
 def _counted_in(names: Names, text: str, meant: Meant, words: str) -> Meant:

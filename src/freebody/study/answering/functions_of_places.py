@@ -13,8 +13,8 @@ from collections.abc import Callable
 from dataclasses import replace
 from fractions import Fraction
 
-from freebody.errors import CannotAnswer, ModelError
-from freebody.language.expression import Expr, Symbol, number, substitute
+from freebody.errors import CannotAnswer, InputError, ModelError
+from freebody.language.expression import Expr, Symbol, free_symbols, number, substitute
 from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
@@ -42,22 +42,33 @@ def as_function(system: System, question: Question, event: AnyPlace, solve: Solv
     def asked(of: System, at: Question) -> Answer:
         return solve(replace(of, questions=(at,))).answers[0]
 
-    anywhere = asked(system, replace(question, event=None))
-    if anywhere.expression is not None and "rate(" not in _formulas(anywhere):
+    is_counted = question.quantity.scope == "course"
+    anywhere = None if is_counted else asked(system, replace(question, event=None))
+    if anywhere is not None and _is_of_place_alone(system, anywhere, event.name):
         return anywhere
     p = _free_name(system)
     try:
         made = _with_place(system, question, event, p)
         there = QuestionEvent(event.measure, 0, Symbol(p), f"{event.name} = {p}")
         found = asked(made, replace(question, event=there, options={}, key=None))
-    except (CannotAnswer, ModelError) as error:
+    except (CannotAnswer, ModelError, InputError) as error:
         found = refused(question, str(error))
-    if found.expression is None:
-        if anywhere.expression is None:
-            return anywhere if anywhere.reason else found
-        told = Message("by {name} alone it has no formula: {why}", name=event.name, why=found.reason)
-        return replace(anywhere, notes=(*anywhere.notes, told))
-    return _in_the_measure(found, p, event.name)
+    if found.expression is not None:
+        return _in_the_measure(found, p, event.name)
+    told = Message("by {name} alone it has no formula: {why}", name=event.name, why=found.reason)
+    if anywhere is None or anywhere.expression is None:
+        return refused(question, told)
+    return replace(anywhere, notes=(*anywhere.notes, told))
+
+
+def _is_of_place_alone(system: System, answer: Answer, name: str) -> bool:
+    """Whether a formula has nothing in it but parameters and the measure itself, in every case."""
+    if answer.expression is None or answer.chain is not None:
+        return False
+    formulas = [answer.expression, *(case.expression for case in answer.cases)]
+    parts = [part for e in formulas for part in (e if isinstance(e, tuple) else (e,))]
+    inside = frozenset[str]().union(*map(free_symbols, parts))
+    return "rate(" not in ", ".join(map(to_python, parts)) and inside <= {*system.parameters, name, "pi"}
 
 
 def _with_place(system: System, question: Question, event: AnyPlace, p: str) -> System:
@@ -117,21 +128,13 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
         return Shown(shown, put(of)) if isinstance(of, Expr) else shown
 
     assert answer.expression is not None
-    cases = (
-        replace(c, expression=all_of(c.expression), conditions=tuple(map(told, c.conditions))) for c in answer.cases
-    )
     return replace(
         answer,
         expression=all_of(answer.expression),
         value=None,
         conditions=tuple(map(told, answer.conditions)),
         notes=(*map(told, answer.notes), Message("as it is when it comes to {name} for the first time", name=name)),
-        cases=tuple(cases),
+        cases=(),  # of places beyond, of which others are true
         chain=None,
         why_no_value=Message("it is a function of {name}", name=name),
     )
-
-
-def _formulas(answer: Answer) -> str:
-    parts = answer.expression if isinstance(answer.expression, tuple) else (answer.expression,)
-    return ", ".join(to_python(part) for part in parts if part is not None)

@@ -120,7 +120,7 @@ def lines_of_ground(w: Written) -> None:
             place: Place = (owner, name) if owner else (name,)
             if name == "surfaces" and isinstance(value, dict):
                 own |= {line: ((*place, line), fields) for line, fields in cast("Entry", value).items()}
-            elif name not in (*OF_GROUND, *SECTIONS) and is_line(value):
+            elif name not in (*OF_GROUND, *SECTIONS) and is_line(value) and (owner or _is_line_by_name(w, name, value)):
                 own[name] = place, _by_coordinate(w, name, value, place)
             elif owner and name == _LEVEL and isinstance(value, str | int | float):
                 own[_FLOOR] = place, {"along": "right", "through": [0, value]}
@@ -153,6 +153,14 @@ def _way_said(w: Written, name: str, value: Any, place: Place) -> Entry | None:
     if name in CALLED_LINES and (dimension == LENGTH or str(value) == "0"):
         return cast("Entry", _by_coordinate(w, name, {"x" if name == _WALL else "y": value}, place))
     return {"angle": value} if dimension == DIMENSIONLESS and not is_number else None
+
+
+def _is_line_by_name(w: Written, name: str, value: Any) -> bool:
+    """Whether a section of one coordinate is a line: it is called as one, or connections name it. `start: {y: h}` with
+    a slip in its name is none."""
+    is_place = isinstance(value, dict) and {*cast("Entry", value)} <= {"x", "y"}
+    said = rf"(?<![\w.]){re.escape(name)}\b"
+    return not is_place or name in CALLED_LINES or re.search(said, str(w.data.get("connections"))) is not None
 
 
 def _by_coordinate(w: Written, name: str, value: Any, place: Place) -> Any:
