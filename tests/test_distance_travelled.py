@@ -11,6 +11,7 @@ import math
 
 import pytest
 
+from freebody import System
 from posed import is_derived, is_formula, posed
 
 THROW = """
@@ -272,3 +273,19 @@ def test_the_way_after_an_impact_has_a_formula_in_the_case_of_the_given_numbers(
     slid = is_formula(COLLISION, "how far does B slide after the impact?", f"{u}^2/(2*mu*g)")
     assert any("case of the given numbers" in str(note) for note in slid.notes)
     is_formula(COLLISION, "how long does B slide after the impact?", f"{u}/(mu*g)")
+
+
+def test_a_turn_that_is_counted_comes_after_the_start() -> None:
+    """v0^2/g - 2 v0 + 2 g is the way of what first goes up: what is thrown down has not turned."""
+    text = """
+parameters: {m: 1 kg, v0: {value: 8 m/s, sign: any}, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {line: {slider: {body: ball, along: up, through: ground.O}}}
+loads: {weight: {gravity: g}}
+measures: {y: travel of ball along up}
+start: {y: 0, rate(y): v0}
+"""
+    [answer] = System.from_text(text).solve("distance travelled along y until t = 2 s").answers
+    assert answer.value == pytest.approx(64 / 9.81 - 16 + 19.62)
+    assert any(condition.startswith("v₀ ≥ 0") for condition in answer.conditions)

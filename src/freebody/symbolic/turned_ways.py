@@ -84,6 +84,8 @@ def _by_law(law: MotionLaw | None, end: Ratio | None, there: Reached | None = No
         if len(turns) >= _MOST:
             raise CannotAnswer(Message("it turns back too often on the way to be counted"))
         turns.append(place)
+        if law.half_period is None:  # at other values it has turned before the start
+            needs.append((lowest(time), ">="))
         last = time
     if turns:
         needs.append((lowest(end - last), ">="))

@@ -17,6 +17,7 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
+from freebody.language.units import FORCE, TORQUE
 from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken import given, turning_round
 from freebody.questions.spoken.composing import JOINT
@@ -170,7 +171,9 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
         return keyed[0]
     for meaning in ways_to_mean(names, contexts(language)["sought_what"].format(what=what)):
         found = turning_round.parameter_of(names, list(meaning.words))
-        if len(found) == 1 and (not names.parameters[found[0]].is_angle or moves_nowhere(names)):
+        is_own = len(found) == 1 and (not names.parameters[found[0]].is_angle or moves_nowhere(names))
+        is_named = any(word.kind == "name" for word in meaning.words)
+        if is_own and (is_named or not _has_rivals(names, found[0])):
             return found[0]  # an angle of what moves is its own
     if (toothed := _pattern(language, "sought_teeth").fullmatch(what)) is not None:
         counts = given.teeth(names, toothed["of"] or "")
@@ -178,6 +181,13 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
     if _pattern(language, "sought_push").match(what) and len(forces := given.of_kind(names, "force")) == 1:
         return forces[0]  # the load at the tip, where nothing else is a force
     return None
+
+
+def _has_rivals(names: Names, parameter: str) -> bool:
+    """Whether another force, or torque, is given that may be meant as well, where nothing says whose it is."""
+    own = names.parameters[parameter].dimension
+    alike = [p.name for p in names.parameters.values() if p.form is None and p.dimension == own]
+    return own in (FORCE, TORQUE) and len(alike) > 1
 
 
 @cache
