@@ -167,7 +167,8 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
         return symbols[0] if len({*symbols}) == 1 else None
     elements = elements_of(names)
     keyed = given.by_key(names, re.findall(r"[\w’'-]+", in_english_nouns(what, language, elements.taken).lower()))
-    if len(keyed) == 1:
+    is_bare = len(what.split()) == 1  # what torque, of whatever it is
+    if len(keyed) == 1 and not (is_bare and _has_rivals(names, keyed[0])):
         return keyed[0]
     for meaning in ways_to_mean(names, contexts(language)["sought_what"].format(what=what)):
         found = turning_round.parameter_of(names, list(meaning.words))
