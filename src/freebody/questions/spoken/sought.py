@@ -173,7 +173,7 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
     for meaning in ways_to_mean(names, contexts(language)["sought_what"].format(what=what)):
         found = turning_round.parameter_of(names, list(meaning.words))
         is_own = len(found) == 1 and (not names.parameters[found[0]].is_angle or moves_nowhere(names))
-        is_named = any(word.kind == "name" for word in meaning.words)
+        is_named = not is_bare and any(word.kind == "name" for word in meaning.words)
         if is_own and (is_named or not _has_rivals(names, found[0])):
             return found[0]  # an angle of what moves is its own
     if (toothed := _pattern(language, "sought_teeth").fullmatch(what)) is not None:
