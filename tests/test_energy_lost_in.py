@@ -117,3 +117,12 @@ def test_nothing_is_lost_where_the_event_is_the_start() -> None:
     for where in ("", " in brake"):
         answer = asked(rest, f"energy lost{where} until wheel stops")
         assert answer.value in (0.0, None), where
+
+
+@pytest.mark.parametrize(("law", "why"), [("-c*rate(s) - k*s", "stores energy and takes it"), ("c*rate(s)", "")])
+def test_a_law_that_stores_or_drives_is_no_loss(law: str, why: str) -> None:
+    text = FALLING.replace("AIR", f"{{law: {{measure: s, force: {law}}}}}")
+    text = text.replace("c: 20 kg/m", "c: 20 kg/s, k: 50 N/m")
+    answer = asked(text, "energy lost until t = 1 s")
+    assert why in answer.reason
+    assert answer.value == (None if why else 0.0)

@@ -9,7 +9,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_s
 from freebody.language.sentences import Sentence
 from freebody.language.units import ENERGY
 from freebody.measures.geometry import ZERO
-from freebody.model.elements import RATE, AppliedLoad, RigidBody
+from freebody.model.elements import RATE, VALUE, AppliedLoad, RigidBody
 from freebody.model.spins import body_axes
 from freebody.model.state import State
 from freebody.model.tensors import entries
@@ -93,6 +93,15 @@ def goes_by_rates(system: Described, load: str) -> bool:
     return not resists(system, load) and any(_at_rest(push) != push.in_symbols for push in pushes)
 
 
+def mixes(system: Described, load: str) -> bool:
+    """Whether a load goes by places and by rates at once, so that what it takes and what it stores are not told
+    apart: a spring and a damper in one law."""
+    pushes = [push for push in system.applied_loads if push.load == load]  # the parts of its law
+    goes = any(_at_rest(push) != push.in_symbols for push in pushes)
+    places = (free_symbols(_at_rest(push)) & {VALUE.name, *(name for name, _ in push.measures)} for push in pushes)
+    return not system.loads[load].resists and goes and any(places)
+
+
 def _at_rest(push: AppliedLoad) -> Expr:
     """A law where nothing moves."""
     rates = {name: ZERO for name, _measure in push.measures}
@@ -103,9 +112,13 @@ def _vanishes_at_rest(push: AppliedLoad) -> bool:
     law, at_rest = push.in_symbols, _at_rest(push)
     if at_rest == law or "t" in free_symbols(law):
         return False
-    values = {name: _SOME + k / _SOME for k, name in enumerate(sorted(free_symbols(at_rest)))}
+    values = {name: _SOME + k / _SOME for k, name in enumerate(sorted(free_symbols(law)))}
     try:
-        return evaluate(at_rest, values, FLOAT_FUNCTIONS) == 0.0
+        is_still = evaluate(at_rest, values, FLOAT_FUNCTIONS) == 0.0
+        if push.measures:
+            return is_still
+        forth, back = (evaluate(law, values | {RATE.name: rate}, FLOAT_FUNCTIONS) for rate in (1.0, -1.0))
+        return is_still and (forth < 0.0 or back > 0.0)  # else it drives on what moves
     except (ArithmeticError, ValueError, KeyError):
         return False
 

@@ -25,7 +25,7 @@ from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Described, Quantity
-from freebody.questions.energy import Energy, resists
+from freebody.questions.energy import Energy, mixes, resists
 from freebody.questions.motion import OfPoint
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
@@ -64,7 +64,13 @@ def drivers(system: Described) -> set[str]:
 
 
 def resistances(system: Described) -> list[str]:
-    """The loads that resist motion and only take energy: drag, dampers, laws like them."""
+    """The loads that resist motion and only take energy: drag, dampers, laws like them. Raises CannotAnswer where what
+    a load takes is not told apart from what it stores."""
+    for name in system.loads:
+        if mixes(system, name):
+            raise CannotAnswer(
+                Message("{load} stores energy and takes it: write what resists as a load of its own", load=name)
+            )
     return [name for name in system.loads if resists(system, name)]
 
 
