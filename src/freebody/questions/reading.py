@@ -312,25 +312,30 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
 
 def _as_function(names: Names, text: str, what: str, of: str) -> list[tuple[Meant, str]]:
     """A quantity as a function of a measure; what is counted on the way up to it, too."""
-    with names.quietly():
-        n_before = len(names.problems)
-        is_counted = not _meant_by(names, what, None) or len(names.problems) > n_before
     dimension = names.measures[of].dimension
     unit = "rad" if dimension == DIMENSIONLESS else str(dimension)
-    until = f" until {of} = {_ANYWHERE} {unit}" if is_counted else ""
-    found = _meant_by(names, f"{what}{until}", None)
-    kinds = (Counted,) if is_counted else (Quantity,)
-    free = [replace(meant, event=None) if is_counted else meant for meant, _ in found]
+    place, until = AnyPlace.of(names, of), f" until {of} = {_ANYWHERE} {unit}"
+    found = _quietly_meant(names, what)
+    counted = [] if found else _quietly_meant(names, f"{what}{until}")
+    if not found and not counted:
+        return _meant_by(names, what, None)  # which says why it is not read
+    free = [replace(meant, event=None) for meant, _ in counted] or [meant for meant, _ in found]
+    kinds = (Counted,) if counted else (Quantity,)
     if all(isinstance(m.quantity, kinds) and m.event is None and m.transition is None and not m.at_start for m in free):
-        place = AnyPlace.of(names, of)
-        said = [words.removesuffix(until) for _, words in found]
-        return [
-            (replace(meant, event=place), f"{words} as a function of {of}")
-            for meant, words in zip(free, said, strict=True)
-        ]
+        said = [words.removesuffix(until) for _, words in counted or found]
+        pairs = zip(free, said, strict=True)
+        return [(replace(meant, event=place), f"{words} as a function of {of}") for meant, words in pairs]
     told = Message("'{text}' is not asked as a function of {of}: ask until, or when, {of} = ...", text=text, of=of)
     names.problem(told, "find")
     return []
+
+
+def _quietly_meant(names: Names, text: str) -> list[tuple[Meant, str]]:
+    """What a text asks for; nothing where it is not read."""
+    with names.quietly():
+        n_before = len(names.problems)
+        found = _meant_by(names, text, None)
+        return found if len(names.problems) == n_before else []
 
 
 def _counted_in(names: Names, text: str, meant: Meant, words: str) -> Meant:
