@@ -146,6 +146,10 @@ def _refuse_nowhere(model: SymbolicModel, forces: Sequence[Ratio]) -> None:
     for force in forces:
         left = f.lowest_terms(f.follow(force, still))
         if not left.is_zero() and not f.ingredients(left) & model.moving:
+            if left.is_constant():
+                raise CannotAnswer(
+                    Message("there is no equilibrium: the loads are out of balance by the same in every pose")
+                )
             needed = compared(tidy(left.numerator()), "=", ZERO)
             told = Message("the loads balance in every pose or in none: that takes {x}", x=needed)
             raise CannotAnswer(reworded(told, needed))

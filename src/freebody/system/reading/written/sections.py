@@ -302,7 +302,9 @@ def _as_symbol(w: Written, key: str, value: Any) -> Any:
     """`gravity: 9.81 m/s^2` as a parameter, so that the answers are formulas; what it pulls along stands in `loads`."""
     parameters = w.data.get("parameters") or {}
     is_number = isinstance(value, int | float | str) and str(value).strip()[:1].isdigit()
-    is_free = isinstance(parameters, dict) and not {_G, _GRAVITY} & {*parameters, *(w.data.get("bodies") or {})}
+    bodies = w.data.get("bodies")
+    taken = {*cast("Entry", bodies)} if isinstance(bodies, dict) else set[str]()  # a list of them takes no name yet
+    is_free = isinstance(parameters, dict) and not {_G, _GRAVITY} & {*parameters, *taken}
     if key != _GRAVITY or not is_number or not is_free:
         return value
     value = f"{value} m/s^2" if dimension_said(w, value) == DIMENSIONLESS else value
