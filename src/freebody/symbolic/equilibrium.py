@@ -146,7 +146,7 @@ def _refuse_nowhere(model: SymbolicModel, forces: Sequence[Ratio]) -> None:
     for force in forces:
         left = f.lowest_terms(f.follow(force, still))
         if not left.is_zero() and not f.ingredients(left) & model.moving:
-            if left.is_constant():
+            if not left.generators():  # a number
                 raise CannotAnswer(
                     Message("there is no equilibrium: the loads are out of balance by the same in every pose")
                 )
