@@ -99,3 +99,11 @@ def test_what_has_no_formula_says_why() -> None:
         fb.System.from_text(text.replace("/T/L^2", "/(T*L^2)")).solve("speed of jumper as a function of s").answers
     )
     assert any("by s alone it has no formula" in note for note in answer.notes)
+
+
+def test_nothing_is_said_of_the_one_place_that_stood_for_all() -> None:
+    """The motor torque of a slider-crank by its angle has no numbers of an angle of the rod."""
+    system = fb.System.load(Path(__file__).parents[1] / "examples" / "driven_slider_crank.yaml")
+    [answer] = system.solve("motor torque as a function of theta").answers
+    assert answer.expression is not None
+    assert not any("given numbers" in note for note in answer.notes)

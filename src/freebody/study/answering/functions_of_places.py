@@ -127,13 +127,21 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
         of = text.of if isinstance(text, Shown) else None
         return Shown(shown, put(of)) if isinstance(of, Expr) else shown
 
+    def is_of_numbers(note: str) -> bool:
+        """What is said of the one place that stood for all."""
+        said = note.words if isinstance(note, Stated) else note
+        return isinstance(said, Message) and said.template.startswith("with the given numbers")
+
     assert answer.expression is not None
     return replace(
         answer,
         expression=all_of(answer.expression),
         value=None,
         conditions=tuple(map(told, answer.conditions)),
-        notes=(*map(told, answer.notes), Message("as it is when it comes to {name} for the first time", name=name)),
+        notes=(
+            *(told(note) for note in answer.notes if not is_of_numbers(note)),
+            Message("as it is when it comes to {name} for the first time", name=name),
+        ),
         cases=(),  # of places beyond, of which others are true
         chain=None,
         why_no_value=Message("it is a function of {name}", name=name),
