@@ -399,7 +399,8 @@ def test_a_spring_of_no_length_passes_its_anchor(x0: float, agrees: Agree) -> No
 @pytest.mark.parametrize("x0", [5, 2])
 def test_a_spring_relaxed_at_the_start_is_so_on_the_side_where_it_is(x0: float, agrees: Agree) -> None:
     """Without a preload it pulls with k (x - x0), as long as it stays on that side of its anchor."""
-    model = ANCHORED.format(x0=x0, length=", preload: 0", rate="") + "questions: [acceleration of x, equilibrium of x]\n"
+    model = ANCHORED.format(x0=x0, length=", preload: 0", rate="")
+    model += "questions: [acceleration of x, equilibrium of x]\n"
     solution = fb.System.from_text(model).solve()
     agrees(solution, "q1", "k*(x0 - x)/M")
     agrees(solution, "q2", "x0")
