@@ -19,7 +19,7 @@ from scipy.spatial.transform import Rotation
 
 import freebody as fb
 from freebody.connections.places_on_bodies import F, Q
-from freebody.numeric.contact.record import Collision
+from freebody.numeric.engine.course import Collision
 from freebody.numeric.reference import Reference
 from freebody.study.setup import Setup
 from freebody.system.modes import ContactMode, in_mode

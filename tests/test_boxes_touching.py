@@ -19,8 +19,7 @@ from scipy.spatial.transform import Rotation
 
 import freebody as fb
 from freebody.numeric.contact.overlaps import gap_of, is_within, parting
-from freebody.numeric.contact.record import Collision
-from freebody.numeric.engine.course import Status
+from freebody.numeric.engine.course import Collision, Status
 from freebody.numeric.reference import Reference
 
 G = 9.81

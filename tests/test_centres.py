@@ -11,7 +11,8 @@ import pytest
 import freebody as fb
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Point
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.study.mobility.centres import CentreOfPair, instant_centres, velocity_ratios
 
 FOUR_BAR = """

@@ -15,8 +15,10 @@ from freebody.cli import commands
 from freebody.errors import ModelError
 from freebody.language.expression import evaluate
 from freebody.language.parser import parse
-from freebody.study.conservation.conserved import Conservation, Verdicts, conserved
+from freebody.study.conservation.conservation import Conservation
+from freebody.study.conservation.conserved import conserved
 from freebody.study.conservation.judge import _along
+from freebody.study.conservation.verdicts import Verdicts
 from freebody.study.settled import start_mode
 from goldens import assert_golden
 

@@ -10,8 +10,8 @@ import pytest
 
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide, implied, possible
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signed_field import SignedField
 
 POSITIVE, REAL, ACUTE = ("a", "b", "c", "d"), ("x", "y", "theta"), ("beta",)

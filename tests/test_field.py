@@ -15,8 +15,9 @@ from freebody.language.expression import Call, Symbol, evaluate
 from freebody.language.notation import to_text
 from freebody.study.answering.chain import n_terms_in_all
 from freebody.symbolic.angle_factors import factors_of, open_parts
-from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.field import Generator
 from freebody.symbolic.functions import cos_sin, functions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.roots_in_quotients import without_numeric_roots
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy

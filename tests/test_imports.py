@@ -2,8 +2,10 @@
 
 from __future__ import annotations
 
+import ast
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import pytest
@@ -96,3 +98,44 @@ def test_kinds_are_imported_when_a_model_names_them(tmp_path: Path) -> None:
     modules = loaded("mobility", str(path))
     assert "freebody.connections.slider" in modules
     assert not {f"freebody.connections.{name}" for name in ("belt", "gear_mesh", "pin", "string", "weld")} & modules
+
+
+SOURCE = Path(__file__).parents[1] / "src"
+
+
+@cache
+def borrowed(module: str) -> frozenset[str]:
+    """The names that a module imports from another one of freebody and does not offer as its own."""
+    file = SOURCE / f"{module.replace('.', '/')}.py"
+    if not file.exists():  # a package offers what it imports
+        return frozenset()
+    tree = ast.parse(file.read_text("utf-8"))
+    offered = {word.value for line in tree.body if is_offer(line) for word in ast.walk(line) if is_word(word)}
+    imports = (line for line in ast.walk(tree) if isinstance(line, ast.ImportFrom))
+    return frozenset(
+        alias.asname or alias.name
+        for line in imports
+        if (line.module or "").startswith("freebody")
+        for alias in line.names
+    ) - frozenset(offered)
+
+
+def is_offer(line: ast.stmt) -> bool:
+    return isinstance(line, ast.Assign) and ast.unparse(line.targets[0]) == "__all__"
+
+
+def is_word(node: ast.AST) -> bool:
+    return isinstance(node, ast.Constant) and isinstance(node.value, str)
+
+
+def test_a_name_is_imported_from_where_it_is_defined() -> None:
+    """Otherwise a reader looks for it in two rooms, and a room cannot be split without touching all others."""
+    through = [
+        f"{file.relative_to(SOURCE)}:{line.lineno} {alias.name} through {line.module}"
+        for file in sorted(SOURCE.rglob("*.py"))
+        for line in ast.walk(ast.parse(file.read_text("utf-8")))
+        if isinstance(line, ast.ImportFrom) and (line.module or "").startswith("freebody.")
+        for alias in line.names
+        if alias.name in borrowed(line.module or "")
+    ]
+    assert not through

@@ -20,8 +20,9 @@ from freebody.errors import CannotAnswer, InputError, ModelError
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.mobility.rank import rank_at
 from freebody.numeric.reference import Reference
+from freebody.study.mobility.found import Mobility
 from freebody.study.mobility.gruebler import gruebler
-from freebody.study.mobility.mobility import Mobility, mobility
+from freebody.study.mobility.mobility import mobility
 from goldens import assert_golden
 from mechanisms import ladder
 from thinned import thinned

@@ -18,7 +18,8 @@ from freebody.numeric.mobility.path import MotionPath
 from freebody.numeric.mobility.rank import rank_at, scaled_rows
 from freebody.numeric.reference import Reference
 from freebody.study.mobility.centres import instant_centres
-from freebody.study.mobility.mobility import Mobility, mobility
+from freebody.study.mobility.found import Mobility
+from freebody.study.mobility.mobility import mobility
 
 FOUR_BAR = """
 space: true

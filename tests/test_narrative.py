@@ -14,17 +14,11 @@ from freebody import System
 from freebody.errors import InputError, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, number
 from freebody.language.parser import parse
+from freebody.language.sentences import Sentence
 from freebody.narrative.context import Context
-from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import (
-    DerivationStage,
-    Legend,
-    Listing,
-    NumberedFormula,
-    Script,
-    Sentence,
-    names_in,
-)
+from freebody.narrative.derivation import Derivation
+from freebody.narrative.explain import Explanation, explain
+from freebody.narrative.lines.script import DerivationStage, Legend, Listing, NumberedFormula, Script, names_in
 from freebody.narrative.telling.catalogue import Catalogue
 from goldens import assert_golden, digest
 

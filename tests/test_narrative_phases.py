@@ -7,8 +7,10 @@ from pathlib import Path
 
 from freebody import System
 from freebody.language.notation import to_text
-from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Sentence
+from freebody.language.sentences import Sentence
+from freebody.narrative.derivation import Derivation
+from freebody.narrative.explain import Explanation, explain
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula
 from test_kept_modes import BOWL, MAY_LEAVE, SLOPE
 from test_narrative import reread
 

@@ -12,8 +12,8 @@ import pytest
 
 from freebody import System
 from freebody.errors import InputError
+from freebody.language.sentences import Sentence
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.sheets.in_numbers import rounded
 from freebody.narrative.sheets.sheet import load_systems, sheet

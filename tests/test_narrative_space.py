@@ -11,9 +11,11 @@ from freebody.errors import RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, VectorSymbol
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
+from freebody.language.sentences import Sentence
 from freebody.narrative.context import Context
-from freebody.narrative.explain import Derivation, Explanation, explain
-from freebody.narrative.lines.script import FormulaTable, Legend, Listing, NumberedFormula, Sentence, names_in
+from freebody.narrative.derivation import Derivation
+from freebody.narrative.explain import Explanation, explain
+from freebody.narrative.lines.script import FormulaTable, Legend, Listing, NumberedFormula, names_in
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.telling.catalogue import Catalogue
 

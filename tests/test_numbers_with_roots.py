@@ -9,8 +9,8 @@ import pytest
 
 from freebody.language.notation import to_text
 from freebody.language.parser import parse
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin, element
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.tidy import tidy
 

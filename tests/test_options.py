@@ -24,9 +24,9 @@ from freebody.language.units import (
 )
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.reading import Question
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.system.system import System
 

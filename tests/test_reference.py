@@ -22,7 +22,9 @@ from freebody.measures.lead import Lead
 from freebody.model.elements import Component, NonholonomicForm
 from freebody.numeric.jet_geometry import Frame, JetGeometry
 from freebody.numeric.jets import JET_FUNCTIONS, Jet
-from freebody.numeric.reference import Reference, ReferenceTrajectory, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.trajectory import ReferenceTrajectory
 from freebody.system.system import System
 
 G = 9.81

@@ -9,8 +9,9 @@ import pytest
 from examples_told import explained
 from freebody import System
 from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.sentences import Sentence
 from freebody.narrative.explain import Explanation, explain
-from freebody.narrative.lines.script import Legend, NumberedFormula, Sentence
+from freebody.narrative.lines.script import Legend, NumberedFormula
 from freebody.narrative.sharing import lines_of, referred, sentences_of
 
 EXAMPLES = Path(__file__).parent.parent / "examples"

@@ -24,7 +24,8 @@ from freebody.numeric.directional import derivative
 from freebody.numeric.reference import Reference
 from freebody.study.inverse_dynamics import inverse_dynamics
 from freebody.study.settled import settled
-from freebody.study.small_motion.equilibrium import Equilibria, FoundEquilibrium, equilibria
+from freebody.study.small_motion.equilibrium import equilibria
+from freebody.study.small_motion.found import Equilibria, FoundEquilibrium
 from freebody.study.small_motion.modes import NaturalModes, modes
 from freebody.system.system import System
 from thinned import thinned

@@ -17,7 +17,8 @@ import pytest
 import freebody as fb
 from freebody.study.setup import Setup
 from freebody.study.steady.turning import TurningAngle
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.routh import hurwitz, oscillating, without_implied
 from freebody.symbolic.signed_field import SignedField
 from posed import is_formula

@@ -36,7 +36,8 @@ if TYPE_CHECKING:
     from freebody.study.fitting.result import Fit
     from freebody.study.friction.report import Statics, statics
     from freebody.study.inverse_dynamics import inverse_dynamics
-    from freebody.study.mobility.mobility import Mobility, mobility
+    from freebody.study.mobility.found import Mobility
+    from freebody.study.mobility.mobility import mobility
     from freebody.study.optimising.optimise import optimise
     from freebody.study.optimising.result import Optimum
     from freebody.study.over_a_turn import over_a_turn

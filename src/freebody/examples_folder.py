@@ -62,7 +62,7 @@ def listed_templates() -> Iterator[tuple[str, str]]:
 def write_new(file: Path, like: str | None = None) -> list[Path]:
     """Writes a model to start from: a template, or a bundled example. The files that go with it. Raises InputError
     where there is no such one."""
-    from freebody.model.names import did_you_mean
+    from freebody.model.noting import did_you_mean
 
     known = {name: folder() / f"{name}.yaml" for name, _title in listed_examples()} | templates()
     name = _FIRST if like is None else like.removesuffix(".yaml").strip().replace(" ", "_").replace("-", "_")

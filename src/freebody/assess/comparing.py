@@ -19,7 +19,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _AGREE = Fraction(1, 10**40)

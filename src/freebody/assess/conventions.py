@@ -12,7 +12,7 @@ from freebody.assess.comparing import ComponentPair
 from freebody.errors import CannotAnswer
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def other_convention(pairs: Sequence[ComponentPair], asked: str) -> str | None:

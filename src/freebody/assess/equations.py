@@ -31,8 +31,9 @@ from freebody.language.expression import (
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, listed
 from freebody.language.units import dimension_of
-from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.field import Generator
 from freebody.symbolic.functions import element
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Equation = tuple[Expr, Expr]

@@ -7,8 +7,8 @@ from freebody.errors import UnitError
 from freebody.language.expression import Call, Expr, Symbol, children, free_symbols, rate_key, substitute
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, dimension_of
 from freebody.measures.base import Measure
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 

@@ -18,7 +18,8 @@ from typing import Any
 import flint
 
 from freebody.language.expression import ELLIPTIC, FUNCTIONS, LAMBERT
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 
 _flint: Any = flint
 BITS = 200

@@ -28,7 +28,7 @@ from freebody.language.units import (
     VELOCITY,
     Dimension,
 )
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _LEFT_OUT = (INERTIA, MASS, DIMENSIONLESS, DAMPING, ROTARY_DAMPING, VELOCITY, ANGULAR_VELOCITY)

@@ -30,8 +30,8 @@ from freebody.language.notation import to_text
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, listed
 from freebody.language.units import DIMENSIONLESS, Dimension, dimension_of
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 

@@ -15,7 +15,7 @@ from freebody.assess.counterexample import counterexample
 from freebody.assess.words import is_readable
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

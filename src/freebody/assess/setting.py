@@ -10,9 +10,9 @@ from freebody.assess.names import NameTable, named_in
 from freebody.assess.points import BALL_FUNCTIONS, EvaluationPoint, drawn, is_free, real
 from freebody.language.expression import Expr
 from freebody.language.units import Dimension
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 Answer = Ratio | tuple[Ratio, Ratio] | Fraction | None

@@ -6,8 +6,8 @@ from dataclasses import dataclass
 
 from freebody.assess.setting import Answer, Setting
 from freebody.language.units import Dimension
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 

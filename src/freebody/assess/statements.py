@@ -28,9 +28,9 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import RIGHT, UP, Point
 from freebody.model.noting import did_you_mean
 from freebody.questions.reading import Question
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import element
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
     ALWAYS,

@@ -21,9 +21,10 @@ from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.language.plain_text import plain, shortened
 from freebody.language.raising import raised
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Argument, Sentence, ready
+from freebody.narrative.lines.script import ready
 from freebody.narrative.marking.authoring import proposed_options
 from freebody.narrative.marking.check import marked_by
 from freebody.narrative.mistakes.mistakes import found_mistakes
@@ -42,7 +43,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 _LONGEST_ID = 60

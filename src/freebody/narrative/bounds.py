@@ -8,10 +8,10 @@ from freebody.errors import ExpressionError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, free_symbols
 from freebody.language.notation import Stated
 from freebody.language.raising import raised
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Argument, Sentence, ready
+from freebody.narrative.lines.script import ready
 from freebody.tolerances import ROUND_OFF
 
 _TURNED = {">": "<", "≥": "≤", "<": ">", "≤": "≥"}

@@ -11,6 +11,7 @@ from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Number, Symbol
 from freebody.language.notation import Stated, compared
 from freebody.language.raising import raised
+from freebody.language.sentences import Sentence
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.bounds import with_unit
 from freebody.narrative.contact.settings import has_phases
@@ -18,7 +19,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.naming import asked_symbol, own_symbols, side_of
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.questions.reading import Question

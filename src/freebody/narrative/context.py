@@ -23,7 +23,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.senses import drawn_symbols
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.system.symbols import reaction_symbols
 from freebody.system.system import System
 

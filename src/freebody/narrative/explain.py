@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.language.expression import Call, Number, Symbol
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
 from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import changes_at_borders_alone, has_phases
@@ -19,7 +19,7 @@ from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.first_turn import at_first_turn
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, Sentence
+from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
 from freebody.narrative.sharing import ToldSoFar, lines_of, result_line, sentences_of, without_echo

@@ -10,7 +10,8 @@ from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
 from freebody.questions.clock import Clock
-from freebody.questions.reading import Question, is_of_start
+from freebody.questions.reading import Question
+from freebody.questions.reading_when import is_of_start
 from freebody.system.system import System
 
 

@@ -11,15 +11,16 @@ from freebody.assess.cases import LimitingCase
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols, n_operations, rate_key
 from freebody.language.notation import Stated
+from freebody.language.sentences import Sentence
 from freebody.language.truth import is_true
 from freebody.language.units import DIMENSIONLESS, INERTIA, MASS
 from freebody.measures.geometry import ZERO
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Item, Listing, Sentence
+from freebody.narrative.lines.script import Item, Listing
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import Draw
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 

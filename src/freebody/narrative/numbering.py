@@ -9,7 +9,8 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import replace
 
-from freebody.narrative.lines.script import REFERENCES, DerivationStage, Item, Legend, NumberedFormula, Sentence
+from freebody.language.sentences import Sentence
+from freebody.narrative.lines.script import REFERENCES, DerivationStage, Item, Legend, NumberedFormula
 from freebody.narrative.sharing import referred, referred_in, referring, renumbered_item
 from freebody.narrative.telling.catalogue import Catalogue
 

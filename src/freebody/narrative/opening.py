@@ -23,7 +23,7 @@ from freebody.language.expression import (
     n_operations,
     number,
 )
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import INERTIA, MASS, Dimension, dimension_of
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
@@ -36,7 +36,7 @@ from freebody.model.states import state_name
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import of_centre
-from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, ready
 from freebody.narrative.questions.blow import tell_blow
 from freebody.study.answering.evidence import rank_freedom
 from freebody.study.answering.spread import disagreement

@@ -14,10 +14,10 @@ from collections.abc import Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 
 from freebody.language.expression import Expr, Number, Symbol
+from freebody.language.sentences import Argument, Sentence
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.script import (
     REFERENCES,
-    Argument,
     DerivationStage,
     Diagram,
     FormulaTable,
@@ -25,7 +25,6 @@ from freebody.narrative.lines.script import (
     Legend,
     Listing,
     NumberedFormula,
-    Sentence,
     names_in,
 )
 

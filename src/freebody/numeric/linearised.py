@@ -17,10 +17,11 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.instant import RANK_CUT, each_force, forces, roundings
+from freebody.numeric.instant import each_force, forces, roundings
 from freebody.numeric.jet_geometry import Branch
 from freebody.numeric.jets import Array
 from freebody.numeric.placing import PoseEquation
+from freebody.numeric.split import RANK_CUT
 from freebody.numeric.start_velocities import start_velocities
 from freebody.numeric.system import NumericSystem
 from freebody.tolerances import ROUND_OFF

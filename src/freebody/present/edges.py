@@ -7,8 +7,7 @@ from itertools import pairwise
 
 import numpy as np
 
-from freebody.present.figures import GROUND, Array, Heading, Rope, turned
-from freebody.present.layout import positions
+from freebody.present.figures import GROUND, Array, Heading, Rope, positions, turned
 from freebody.present.scene import Scene
 from freebody.present.strokes import Path, Stroke
 from freebody.present.symbols import circle, hatched

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Literal
 
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, asked
 from freebody.questions.linkages import FOUR_BAR, RANK, OfLinkage
 from freebody.questions.reading import read_quantity

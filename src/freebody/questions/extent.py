@@ -14,7 +14,8 @@ from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.arithmetic import AtStart, Functions, Joined
 from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
 from freebody.questions.ends import GREATEST, LEAST
-from freebody.questions.event import Peak, QuestionEvent
+from freebody.questions.event import Peak
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import read_calculation
 

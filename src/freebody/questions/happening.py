@@ -18,7 +18,8 @@ from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
 from freebody.questions.base import NAME, Path, Quantity
 from freebody.questions.course import Transition, can_change, connections_of, names_line, read_transition
-from freebody.questions.event import AskedEvent, QuestionEvent, TurnsBack, read_event
+from freebody.questions.event import AskedEvent, TurnsBack, read_event
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.operands import TURNS_BACK
 from freebody.questions.turned_round import reached_in
 

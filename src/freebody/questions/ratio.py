@@ -10,7 +10,7 @@ from freebody.language.expression import Symbol, add, divide, free_symbols, nega
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.arithmetic import OF_MOTIONS, CalculatedOfMotion, Functions, Joined, quotient, read_calculated
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked

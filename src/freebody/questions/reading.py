@@ -18,7 +18,8 @@ from freebody.language.plain_text import plain
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
-from freebody.model.names import Names, did_you_mean
+from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, read_calculated
@@ -27,7 +28,8 @@ from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.blow import BesideBlow
 from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, Transition, When, as_condition
-from freebody.questions.event import AnyPlace, AskedEvent, QuestionEvent
+from freebody.questions.event import AnyPlace, AskedEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.half_swings import swings_as_rests
 from freebody.questions.motion import OfMeasure
 from freebody.questions.nth_impact import read_nth

@@ -18,8 +18,8 @@ from freebody.present.report.result import Result
 from freebody.present.report.results import line, summary, table
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System

@@ -17,7 +17,7 @@ from freebody.language.units import LENGTH
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import ConstraintRow, NonholonomicForm
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.split import Split, stack
 from freebody.questions.base import Quantity
 from freebody.questions.vectors import ORIGIN, axes_of
@@ -25,9 +25,9 @@ from freebody.study.answering.draws import SEED, Draw, draws
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.equilibrium import ClosedFormRest
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import small_motion_about
 from freebody.symbolic.start import StartState, start_state
 from freebody.symbolic.state import SymbolicState

@@ -32,7 +32,7 @@ from freebody.present.report.results import entries, entry, summary, table
 from freebody.questions.gear_trains import OfRollingPower, passed_on
 from freebody.study.setup import Setup
 from freebody.study.worded import in_words
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF

@@ -8,7 +8,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.model.elements import Validity
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.system.system import System
 from freebody.tolerances import TOUCHES
 

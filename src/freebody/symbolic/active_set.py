@@ -27,9 +27,10 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, slope, without_roots_below
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.surplus import ReducedColumns, combined, eliminate, overdetermined
 

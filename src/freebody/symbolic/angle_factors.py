@@ -6,8 +6,9 @@ every term brought to one degree by c^2 + s^2 = 1 the polynomial is homogeneous 
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.polynomials import Poly
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 _ODD = ("atan", "asin", "sinh", "tanh", "fresnel_c", "fresnel_s")  # functions with the sign of their argument

@@ -8,8 +8,9 @@ int (a + b x)^-n = -(a + b x)^(1-n)/((n-1) b),     int 1/(a + b x) = log|a + b x
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import functions
+from freebody.symbolic.ratio import Ratio
 
 
 def antiderivative(x: Ratio, index: int) -> Ratio | None:

@@ -10,8 +10,9 @@ from collections.abc import Callable
 from fractions import Fraction
 
 from freebody.symbolic.atoms import function_atom
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.numbers_with_roots import in_roots
+from freebody.symbolic.ratio import Ratio
 
 
 def arc(

@@ -18,7 +18,8 @@ from freebody.language.expression import (
     value_of_given,
 )
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator
+from freebody.symbolic.ratio import Ratio
 
 
 def unit_pair(field: Field, angle: Ratio, cos: Generator, sin: Generator, key: Any) -> tuple[Ratio, Ratio]:

@@ -29,9 +29,9 @@ from freebody.measures.base import Measure
 from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import ConstraintRow, NonholonomicForm, RigidBody
 from freebody.symbolic.bodies import Parts
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 _Given = tuple[Row, Ratio]  # a row over the slots of the bodies, and what it comes to
 

@@ -21,9 +21,9 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT, UP, Point, Pose
 from freebody.measures.geometry import ZERO as NOTHING
 from freebody.model.elements import RigidBody
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, Tangent, straight_tangent
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.unknowns import BODY_ANGLE, POSITION, ModelUnknowns
 from freebody.system.system import System

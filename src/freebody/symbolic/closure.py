@@ -22,9 +22,10 @@ from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.atoms import Arc, angle_with
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import without_square_roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate

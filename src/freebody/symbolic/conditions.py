@@ -29,7 +29,7 @@ from freebody.language.expression import (
 from freebody.language.notation import Stated, compared, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.symbolic.decide import decide, sign_given
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import ARC_RANGES, Sign, acute_argument, arc_argument
 from freebody.symbolic.signs_shown import factors_of, number_part
 from freebody.symbolic.tidy import tidy

@@ -9,8 +9,8 @@ from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.elimination import Elimination
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import ROTATIONS, AnyPose, Dual, DualGeometry, FieldGeometry, Slot
+from freebody.symbolic.ratio import Ratio
 
 
 class Configuration:

@@ -19,10 +19,10 @@ from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.elimination import GIVEN, Elimination, RowEquation
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import FieldGeometry, straight_tangent
 from freebody.symbolic.given_start import GivenStart
 from freebody.symbolic.lines import KnownTangents, Lines
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.start_pose import recognised

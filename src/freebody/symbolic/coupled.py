@@ -18,11 +18,12 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate

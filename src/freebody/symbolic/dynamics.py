@@ -18,10 +18,10 @@ from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.loads import SymbolicLoads
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.speeds import Speeds

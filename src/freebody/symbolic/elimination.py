@@ -15,8 +15,9 @@ from dataclasses import field as initial
 
 from freebody.errors import CannotAnswer
 from freebody.measures.geometry import Vector
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import known_angle
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 # the name of equations that state a known value; they go before all others

@@ -30,9 +30,9 @@ import math
 from collections.abc import Callable
 from dataclasses import dataclass
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin, functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 

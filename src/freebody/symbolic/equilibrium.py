@@ -30,10 +30,10 @@ from freebody.symbolic.conditions import Condition, closed, require
 from freebody.symbolic.decide import decide, sign_given
 from freebody.symbolic.dynamics import NothingWithMass
 from freebody.symbolic.existence import exists
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant, solve
 from freebody.symbolic.linearised import Linearised, Matrix, stand_still
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState

@@ -21,9 +21,9 @@ from itertools import pairwise
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.sentences import Message
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import Indexed, reals, solve_linear, turn_of, zeros_of

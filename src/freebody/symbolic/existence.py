@@ -13,7 +13,7 @@ from collections.abc import Iterable, Iterator
 
 from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 DIVISOR, ROOT, LOG = Message("divisor"), Message("under the root"), Message("logarithm of a positive number")
 MODULUS = Message("the modulus of the elliptic integral is below one")

@@ -38,9 +38,9 @@ from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.questions.energy import Energy
 from freebody.symbolic.antiderivative import antiderivative
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState

@@ -24,9 +24,9 @@ from freebody.language.expression import Expr, free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, ENERGY, Dimension
 from freebody.model.elements import NonholonomicForm
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import Linearised, Swing, swing_of, timed_in
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
 TIME = "t"

@@ -19,9 +19,9 @@ from typing import Any, Literal
 from freebody.language.expression import LAMBERT, Call, Expr, GivenCall, evaluate
 from freebody.symbolic.arcs import arc, arc_or_known, known_arc, of_roots
 from freebody.symbolic.atoms import elliptic_atom, function_atom, given_atom, unit_pair
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator
 from freebody.symbolic.parts_of_a_turn import Complex, of_a_part, part_of_a_turn, times
-from freebody.symbolic.ratio import MAX_POWER
+from freebody.symbolic.ratio import MAX_POWER, Ratio
 
 IsNegative = Callable[[Ratio], bool | None]
 MOST_MULTIPLE = 12  # larger multiples of an angle are angles of their own

@@ -12,8 +12,9 @@ from freebody.language.expression import Expr, GivenCall, domain, evaluate, eval
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND, NO_DIRECTION, Pose, SpatialPose, Vector
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import atan2, functions
+from freebody.symbolic.ratio import Ratio
 
 Tangent = Callable[[Vector[Ratio], Ratio], tuple[Ratio, Ratio]]
 Slot = tuple[str, str]  # (body, "x" | "y" | "angle"); in space "x" | "y" | "z", and "rx" | "ry" | "rz" about its axes

@@ -14,9 +14,9 @@ from freebody.errors import CannotAnswer
 from freebody.measures.base import Measure
 from freebody.measures.geometry import GROUND, Pose, Vector
 from freebody.symbolic.bodies import Bodies, coordinates_of
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import FieldGeometry, straight_tangent
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.start_pose import StartPose, known_poses, recognised
 from freebody.symbolic.unknowns import Coordinate

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.roots_in_quotients import strict_sign
 
 _TERMS = 8  # a longer divisor has no such form that is short

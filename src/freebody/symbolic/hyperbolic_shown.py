@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Iterator
 
 from freebody.language.expression import Call, Expr, add, multiply, number
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def in_hyperbolic_functions(x: Ratio, shown: Callable[[Ratio], Expr]) -> Iterator[Expr]:

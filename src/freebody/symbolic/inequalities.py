@@ -6,8 +6,9 @@ from collections.abc import Callable, Sequence
 
 from freebody.language.sentences import in_turn, turns
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.linear import RHS, Row
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 MOST_FREE = 3

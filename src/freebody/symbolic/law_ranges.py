@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws import LawInstant, MotionLaw, first
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 

@@ -18,9 +18,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.field import Generator
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 _MOST = 10  # derivatives that are looked at

@@ -12,7 +12,8 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 
 Row = dict[int, Ratio]  # column -> entry; the right-hand side is column -1
 RHS = -1

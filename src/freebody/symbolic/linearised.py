@@ -25,10 +25,10 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.parameter_roots import slope
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.modes import depends_on_time
 from freebody.system.small_drives import SCALE

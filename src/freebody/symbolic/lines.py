@@ -15,9 +15,9 @@ from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Point, Vector
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation, TangentPair
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin, sum_of_angles
 from freebody.symbolic.geometry import straight_tangent, tangent_in_numbers
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import TANGENT_ANGLE, TANGENT_LENGTH, ModelUnknowns
 

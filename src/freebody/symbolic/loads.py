@@ -9,8 +9,8 @@ from freebody.language.expression import free_symbols
 from freebody.model.elements import AppliedLoad, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.given_start import GivenStart
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.unknowns import Coordinate, ModelUnknowns

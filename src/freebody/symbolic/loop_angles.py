@@ -16,7 +16,7 @@ from dataclasses import dataclass
 from itertools import combinations
 
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 

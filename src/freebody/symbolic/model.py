@@ -34,12 +34,12 @@ from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.coordinates import CoordinateChoice
 from freebody.symbolic.dynamics import SymbolicDynamics
 from freebody.symbolic.elimination import RowEquation
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, Slot
 from freebody.symbolic.given_start import GivenStart, PlanarGivenStart
 from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.lines import Lines
 from freebody.symbolic.loads import SymbolicLoads
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reactions import Reactions
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.samples import Samples

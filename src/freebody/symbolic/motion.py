@@ -17,13 +17,13 @@ from functools import cached_property
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.event_places import EventPlaces, Need, Variable
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.motion_cycles import MotionCycles
 from freebody.symbolic.orbits import Orbit, orbit_of
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.seen_angles import ray_of
 from freebody.symbolic.settling import settling_of

@@ -8,10 +8,10 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.law_ranges import extent_by_law, period_by_law
 from freebody.symbolic.laws import LawInstant, first
 from freebody.symbolic.motion_laws import MotionLaws
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate

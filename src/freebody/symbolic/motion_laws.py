@@ -14,10 +14,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.blocks import apart_from
 from freebody.symbolic.coupled import CoupledMotion, accelerations_together, coupled_with
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven
 from freebody.symbolic.laws import Freely, MotionLaw, law_of
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.way import EnergyPath

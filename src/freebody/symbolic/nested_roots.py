@@ -15,7 +15,8 @@ from typing import TYPE_CHECKING
 from freebody.symbolic.numbers_with_roots import Roots, in_roots, rational_root
 
 if TYPE_CHECKING:
-    from freebody.symbolic.field import Field, Ratio
+    from freebody.symbolic.field import Field
+    from freebody.symbolic.ratio import Ratio
 
 _MOST_TERMS = 20  # of a radicand: longer ones are squares of nothing that anyone reads
 

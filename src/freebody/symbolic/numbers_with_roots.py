@@ -10,7 +10,8 @@ from typing import TYPE_CHECKING
 from freebody.symbolic.polynomials import Poly, square_part
 
 if TYPE_CHECKING:
-    from freebody.symbolic.field import Field, Ratio
+    from freebody.symbolic.field import Field
+    from freebody.symbolic.ratio import Ratio
 
 Roots = Mapping[int, Fraction]  # coefficients by square-free numbers, 1 for what has no root
 

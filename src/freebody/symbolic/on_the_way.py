@@ -13,8 +13,8 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate

@@ -15,9 +15,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals
 from freebody.symbolic.functions import cos_sin, functions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 

@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 
 Values = Mapping[int, Ratio]  # of a parameter, and of functions of it that are known by themselves
 

@@ -7,8 +7,9 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Call, Expr, multiply, n_operations, number
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.polynomials import declaration_order, has_lonely_symbol, primitive, square_part
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs_shown import factors_of, positive_first, raised, signed_product
 from freebody.symbolic.waves import Monomial
 

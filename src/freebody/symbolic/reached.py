@@ -8,8 +8,8 @@ from freebody.errors import NeverHappens
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.orbits import Orbit
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 HOLDS_ALWAYS = Message("it holds at the start (t = 0) and all the time after it")

@@ -13,10 +13,10 @@ from freebody.model.elements import ConstraintRow
 from freebody.symbolic.bodies import Bodies, Parts
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.dynamics import SymbolicDynamics
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.kinematics import SymbolicKinematics
 from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.loads import SymbolicLoads
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.system.system import System
 

@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 
 def without_square_roots(model: SymbolicModel, x: Ratio) -> Ratio:

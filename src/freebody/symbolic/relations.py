@@ -22,7 +22,8 @@ from freebody.language.expression import (
 from freebody.language.notation import Stated, compared
 from freebody.symbolic.conditions import Condition, readable_or_told, relation_text, require, solved_for_the_one
 from freebody.symbolic.decide import decide, implied, sign_given
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.waves import square_variants

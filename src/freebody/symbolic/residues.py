@@ -11,7 +11,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from itertools import zip_longest
 
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 Coefficients = list[Ratio]
 

@@ -18,7 +18,7 @@ from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.decide.refuting import is_proved_not_zero
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate, ModelUnknowns

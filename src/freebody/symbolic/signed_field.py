@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 

@@ -12,8 +12,9 @@ from enum import Enum
 from fractions import Fraction
 
 from freebody.language.expression import LAMBERT
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import cos_sin
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.waves import Terms, fourier, sine_form, square_variants
 from freebody.tolerances import ROUND_OFF
 

@@ -34,12 +34,12 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.states import state_name
 from freebody.symbolic.equilibrium import GYROSCOPIC, WITH_STATES, ClosedFormRest, find_equilibrium
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant, solve
 from freebody.symbolic.linearised import Linearised, swing_of
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.residues import Coefficients, ResidueField
 from freebody.symbolic.start import StartState
 from freebody.symbolic.tidy import tidy

@@ -15,8 +15,9 @@ from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.configuration import Configuration
 from freebody.symbolic.elimination import Elimination
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator
 from freebody.symbolic.linear import RHS, Row, Solved, solve
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import Coordinate, ModelUnknowns
 

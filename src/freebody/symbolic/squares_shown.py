@@ -11,8 +11,9 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from freebody.language.expression import Expr, add, n_operations
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.polynomials import Poly
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs_shown import is_written_negative
 
 _FEWEST, _MOST = 4, 40  # terms of what is looked at

@@ -16,10 +16,11 @@ from typing import Any
 
 from freebody.language.expression import Call, Symbol
 from freebody.symbolic.dynamics import NothingWithMass
-from freebody.symbolic.field import Generator, Kind, Ratio
+from freebody.symbolic.field import Generator, Kind
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.polynomials import Monomial
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 

@@ -18,11 +18,11 @@ from freebody.measures.geometry import Pose
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.model.state import rate_not_given
 from freebody.symbolic.blow import Blow
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import solve_linear, zeros_of
 

@@ -18,9 +18,10 @@ from freebody.language.expression import Symbol
 from freebody.measures.geometry import Pose, Vector
 from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.elimination import GIVEN, Elimination, RowEquation, TangentPair, Unknown
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import AnyPose, FieldGeometry, straight_tangent, tangent_in_numbers
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 

@@ -10,8 +10,8 @@ from freebody.language.expression import Expr
 from freebody.measures.geometry import Pose
 from freebody.symbolic.bodies import Bodies
 from freebody.symbolic.configuration import Configuration
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.kinematics import SymbolicKinematics
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.speeds import Speeds
 from freebody.symbolic.unknowns import Coordinate
 

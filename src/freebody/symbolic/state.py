@@ -28,9 +28,10 @@ from freebody.measures.geometry import SpatialPose, Vector
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.model.state import JustBefore, no_direction, not_beside
 from freebody.symbolic.blow import Blow
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import IsNegative, atan2, functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 _POLYNOMIAL_LIMIT = 12

@@ -6,8 +6,9 @@ import itertools
 from collections.abc import Sequence
 from dataclasses import dataclass
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.linear import RHS, Row, determinant, reduced
+from freebody.symbolic.ratio import Ratio
 
 MOST_LEFT = 4  # unknowns in a determinant
 MOST_DETERMINANTS = 8

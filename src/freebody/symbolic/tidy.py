@@ -12,13 +12,14 @@ from fractions import Fraction
 from freebody.language.expression import Call, Expr, divide, multiply, n_operations, negate, number, power
 from freebody.symbolic.arcs import complement_atom
 from freebody.symbolic.decimals_shown import in_decimals
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.gathered import Gathers, collected
 from freebody.symbolic.half_angles_shown import by_conjugates
 from freebody.symbolic.hyperbolic_shown import in_hyperbolic_functions
 from freebody.symbolic.numbers_with_roots import in_roots
 from freebody.symbolic.polynomials import Poly
 from freebody.symbolic.products_shown import Products, place, roots_gathered
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.roots_in_quotients import (
     is_root_generator,
     root_on_top,

@@ -17,10 +17,10 @@ from math import isfinite
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws import LawInstant, MotionLaw, first
 from freebody.symbolic.laws.base import Need
 from freebody.symbolic.motion_laws import MotionLaws
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 

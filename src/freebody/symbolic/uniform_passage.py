@@ -12,9 +12,9 @@ from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated, compared, to_python, to_text
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws.uniform import UniformLaw
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HOLDS_ALWAYS, HoldsOnce, Reached
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.tidy import tidy

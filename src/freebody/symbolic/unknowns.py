@@ -16,7 +16,8 @@ from freebody.language.expression import Call, Expr, Symbol, differentiate
 from freebody.measures.base import Measure
 from freebody.model.states import shown_rate
 from freebody.symbolic.elimination import TangentPair, Unknown
-from freebody.symbolic.field import Field, Generator, Ratio
+from freebody.symbolic.field import Field, Generator
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 # Ranks of unknowns: the lowest is eliminated first.

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message, in_turn, turns
 from freebody.symbolic.conditions import Condition, both, require, with_purposes
 from freebody.symbolic.decide import decide, possible
 from freebody.symbolic.existence import FORMAL
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import radicand_of, shortest
 
 NEVER = Message("for no values of the parameters")

@@ -19,7 +19,8 @@ from freebody.language.expression import ZERO, Call, Symbol
 from freebody.language.notation import Stated, compared, joined, to_python, to_text
 from freebody.language.sentences import Message
 from freebody.symbolic.conditions import relation_text
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 

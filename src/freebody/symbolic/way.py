@@ -15,8 +15,8 @@ from freebody.errors import CannotAnswer, NeverHappens, NotReached
 from freebody.language.sentences import Message
 from freebody.symbolic.algebraic_time import AlgebraicTime, algebraic_time
 from freebody.symbolic.elliptic import EllipticTime, elliptic_time
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import changes_sign, reals, turn_of, zeros_of

@@ -15,8 +15,8 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.model.elements import NonholonomicForm
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 

@@ -7,11 +7,13 @@ from collections.abc import Callable
 from fractions import Fraction
 from typing import Protocol
 
-from freebody.symbolic.field import Field, NoRealRoot, Ratio
+from freebody.errors import NoRealRoot
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import functions
 from freebody.symbolic.half_tangents import factors_in_tangent
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.waves import sine_form
 

@@ -11,7 +11,7 @@ from dataclasses import dataclass
 
 from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import AppliedLoad, ConstraintRow
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent
 
 
 @dataclass(frozen=True)

@@ -19,7 +19,7 @@ from freebody.exercises.typed import parts_of
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.parser import parse
 from freebody.language.raising import raised
-from freebody.narrative.lines.script import Sentence
+from freebody.language.sentences import Sentence
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Emphasis, Formula, Text
 

@@ -11,7 +11,7 @@ from typing import Any
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.measures.angle import Angle
 from freebody.narrative.contact.phase_motion import energy_parts, mechanical_energy, tell_energies
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -19,8 +19,8 @@ from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_name, names_of, side_of, written
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
-from freebody.numeric.reference import Snapshot
+from freebody.narrative.lines.script import Legend, Script
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, Revolutions, Travelled, When
 from freebody.questions.energy import Energy as EnergyOf
@@ -35,8 +35,8 @@ from freebody.study.phases.over_time import over_time
 from freebody.study.phases.quantities import only_friction_takes_energy, taking_energy, value_in_mode
 from freebody.study.phases.turns_seen import turns_seen
 from freebody.study.phases.witness import PhaseSnapshot
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System

@@ -7,12 +7,12 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, divide, number
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.contact.phase_motion import MotionLines
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.study.phases.bouncing import Flights, flights_of
 from freebody.study.phases.words import label
 from freebody.symbolic.relations import readable

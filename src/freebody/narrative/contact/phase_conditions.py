@@ -6,17 +6,17 @@ from collections.abc import Mapping
 from typing import cast
 
 from freebody.language.expression import Call, Expr, Symbol, add, negate, number, power
-from freebody.language.sentences import Message, turns
+from freebody.language.sentences import Argument, Message, Sentence, turns
 from freebody.model.elements import DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
-from freebody.narrative.lines.script import Argument, Script, Sentence, ready
+from freebody.narrative.lines.script import Script, ready
 from freebody.narrative.principles.sides import ZERO, parted
 from freebody.present.report.blocks import Relation as Sign
 from freebody.study.phases.result import relations
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.friction import pressing
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.tidy import tidy
 

@@ -3,14 +3,15 @@
 from __future__ import annotations
 
 from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.sentences import Sentence
 from freebody.model.elements import DryFriction
 from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Meaning
-from freebody.narrative.lines.script import Listing, Script, Sentence
+from freebody.narrative.lines.script import Listing, Script
 from freebody.narrative.principles.sides import ZERO
 from freebody.study.phases.words import label, rolls
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 

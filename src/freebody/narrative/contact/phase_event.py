@@ -8,7 +8,7 @@ import re
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, ProductOf, Sum, Symbol
 from freebody.language.notation.stated import compared
-from freebody.language.sentences import Argument, Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import AREA
 from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.narrative.contact.phase_bouncing import tell_flights
@@ -16,16 +16,17 @@ from freebody.narrative.contact.phase_contacts import slip_symbol
 from freebody.narrative.contact.phase_motion import MotionLines, in_time, shown_in_home
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.questions.clock import Clock
-from freebody.questions.event import AskedEvent, Meeting, OfQuantity, Peak, QuestionEvent
+from freebody.questions.event import AskedEvent, Meeting, OfQuantity, Peak
+from freebody.questions.event_base import QuestionEvent
 from freebody.study.phases.phase import BOUNCES_END, Phase, PhaseWatch
 from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.words import label
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 

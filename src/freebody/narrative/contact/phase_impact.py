@@ -15,16 +15,16 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.elements import ConstraintRow, DryFriction
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.contact.phase_worlds import CourseWorld
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.study.phases.evidence import impulses_in_numbers
 from freebody.study.phases.impact import ClosedFormCollision
 from freebody.study.phases.words import label
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.state import SymbolicState
 

@@ -9,12 +9,12 @@ from typing import Literal
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.model.elements import VALUE, AppliedLoad
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.narrative.principles.planar_rates import PlanarRates
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.state import kinetic_of, kinetic_terms
@@ -22,9 +22,9 @@ from freebody.narrative.space.spatial_momentum import Momenta
 from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.study.phases.quantities import plain, value_in_mode
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

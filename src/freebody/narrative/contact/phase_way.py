@@ -11,11 +11,11 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.contact.phase_forces import newton_of_phase
 from freebody.narrative.contact.phase_worlds import CourseGlossary, CourseWorld, WorldRuns
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
-from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.newton import Newton
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM, why
@@ -25,7 +25,7 @@ from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.phase import Phase
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import tree_of
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
 

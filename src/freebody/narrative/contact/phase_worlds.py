@@ -21,7 +21,7 @@ from freebody.narrative.lines.glossary import Glossary, TrueWhen, World
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.evidence import run as followed

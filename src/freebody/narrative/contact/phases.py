@@ -7,7 +7,7 @@ the law of friction, the motion, and the event that ends it with the state there
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Argument, Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
@@ -18,12 +18,12 @@ from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import own_symbols, written
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, ready
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.phases.words import action, is_of_all
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import UniformMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -12,7 +12,7 @@ from functools import singledispatchmethod
 
 from freebody.errors import CannotAnswer, RoutesDisagree
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.contact.phase_conditions import sides_of, told_purpose
 from freebody.narrative.contact.phase_event import solved_argument
 from freebody.narrative.contact.rest_cone import tell_cone, tell_feet, turning
@@ -20,7 +20,7 @@ from freebody.narrative.contact.rest_forces import acting_at_rest
 from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.contact.rest_worlds import RestGlossary
 from freebody.narrative.context import Context, Method, refuse
-from freebody.narrative.lines.script import DerivationStage, Listing, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, Listing, Script, ready
 from freebody.narrative.principles.reactions import place_of
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.present.report.blocks import Relation
@@ -35,8 +35,8 @@ from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.phases.numbers import coefficients_of_friction
 from freebody.study.senses import drawn_symbols
 from freebody.symbolic.active_set import Failure, RestEquations
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.corners import in_words
 

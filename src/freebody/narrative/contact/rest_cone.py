@@ -15,8 +15,8 @@ from freebody.narrative.contact.rest_newton import RestNewton
 from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.reactions import place_of
 from freebody.symbolic.active_set import Failure, RestEquations
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

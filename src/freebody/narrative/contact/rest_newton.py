@@ -7,10 +7,10 @@ from dataclasses import replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, add, negate
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.contact.phase_event import vanishing
 from freebody.narrative.contact.rest_worlds import RestGlossary
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.narrative.principles.newton import ALONG_WORDS, AT_REST_WORDS, Newton
@@ -19,8 +19,8 @@ from freebody.narrative.principles.rates import Stillness
 from freebody.narrative.principles.reactions import words_of
 from freebody.narrative.principles.sides import ZERO, balanced
 from freebody.narrative.principles.symmetry import Symmetry
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

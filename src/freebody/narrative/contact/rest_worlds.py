@@ -13,9 +13,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
-from freebody.narrative.lines.script import Sentence
 from freebody.numeric.friction_branches import margin
 from freebody.numeric.reference import Reference
 from freebody.numeric.rest_problem import rest_problem

@@ -39,12 +39,12 @@ from freebody.narrative.lines.differences import SymbolValues, value_of
 from freebody.numeric.snapshot import Snapshot
 from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.base import Quantity
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUNDED
 
 TrueWhen = Literal["always", "start", "event", "never"]  # "never": an identity of parameters, true by itself

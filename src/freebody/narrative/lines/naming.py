@@ -9,14 +9,15 @@ from functools import partial
 
 from freebody.language.expression import Expr, Symbol, rate_key
 from freebody.language.notation.parts import LETTER_OF, split_name
+from freebody.language.sentences import Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import ASKED, Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.questions.reading import Question
 from freebody.study.answering.numbers import integral_until, turns_until, work_until
 from freebody.study.answering.passage import smooth_numbers
 from freebody.study.mobility.centres import moving_for
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.symbols import reaction_symbols
 

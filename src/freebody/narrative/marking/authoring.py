@@ -18,14 +18,13 @@ from freebody.assess.words import is_readable
 from freebody.errors import CannotAnswer, FreebodyError
 from freebody.language.expression import Expr
 from freebody.language.notation import to_python
-from freebody.language.sentences import Message, listed
+from freebody.language.sentences import Message, Sentence, listed
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.marking.check import MarkedQuestion, marked_question
 from freebody.narrative.mistakes.mistakes import KnownMistakes
 from freebody.narrative.mistakes.wrong_options import FAILURES
 from freebody.questions.reading import Question
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

@@ -22,9 +22,10 @@ from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, SmallOscillations
 from freebody.study.setup import Setup
 from freebody.symbolic.equilibrium import find_equilibrium
-from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.field import Generator
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.motion import SmoothMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import free_oscillations, place_of_mode
 from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState

@@ -6,7 +6,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from fractions import Fraction
 
-from freebody.narrative.lines.script import Sentence
+from freebody.language.sentences import Sentence
 from freebody.study.mobility.gruebler import Gruebler, gruebler
 from freebody.system.system import System
 

@@ -16,9 +16,8 @@ from itertools import combinations
 
 from freebody.assess.points import working_precision
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.marked import Marked
 from freebody.narrative.mistakes.miscounted import miscounted
 from freebody.narrative.mistakes.miswritten import BodyEquations
@@ -27,7 +26,7 @@ from freebody.narrative.mistakes.slips import Mistake, PointAnswers, slips
 from freebody.narrative.mistakes.wrong_options import FAILURES, Elements, Point, WantedOption, WrongOptions, near
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 MOST_STEPS = 40_000  # terms that are looked at in numbers: about half a second, and the same on every machine
 ROUGHLY = 4e-3  # relative: to three digits

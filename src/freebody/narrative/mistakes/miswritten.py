@@ -13,15 +13,14 @@ from typing import Any
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Argument, Sentence
 from freebody.numeric.jets import Array
 from freebody.questions.reactions import said_of_reaction
 from freebody.questions.reading import Question
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUND_OFF
 
 MOST_EQUATIONS = 18

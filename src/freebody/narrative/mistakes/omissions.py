@@ -7,16 +7,16 @@ from fractions import Fraction
 from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.elements import AppliedLoad, RigidBody
-from freebody.narrative.lines.script import Argument, Sentence
 from freebody.narrative.mistakes.marked import Marked, MarkedFactor
 from freebody.narrative.mistakes.slips import Mistake
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import Question, QuestionEvent
-from freebody.symbolic.field import Ratio
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.reading import Question
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 ROUND = {"disk": Fraction(1, 2), "sphere": Fraction(2, 5), "ring": Fraction(1), "shell": Fraction(2, 3)}  # I/(m r^2)

@@ -15,13 +15,14 @@ from typing import Any
 
 from freebody.assess.setting import Setting
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
 from freebody.language.units import DIMENSIONLESS, INERTIA, LENGTH, MASS
-from freebody.narrative.lines.script import Sentence
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import SmallOscillations
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

@@ -14,15 +14,14 @@ from freebody.assess.verdict import Settled
 from freebody.errors import CannotAnswer, ExpressionError, RoutesDisagree, UnitError
 from freebody.language.expression import Expr
 from freebody.language.parser import parse
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.language.units import dimension_of
 from freebody.narrative.context import Context
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.mistakes.slips import Mistake, PointAnswers
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.draws import SEED
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.tolerances import ROUND_OFF, ROUNDED
 

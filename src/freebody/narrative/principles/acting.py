@@ -15,8 +15,8 @@ from freebody.language.expression import Symbol
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction, NonholonomicForm
 from freebody.study.senses import drawn_symbols
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.system.symbols import ReactionSymbol
 from freebody.system.system import System
 

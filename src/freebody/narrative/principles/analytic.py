@@ -11,18 +11,18 @@ from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.energy import Energy
 from freebody.questions.loads import Power
 from freebody.questions.motion import rates_of
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

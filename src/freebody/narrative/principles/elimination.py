@@ -14,12 +14,12 @@ from types import MappingProxyType
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.sides import common_factor, positive_first, scaled
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_is_negative
 from freebody.symbolic.tidy import tidy
 

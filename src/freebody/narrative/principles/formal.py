@@ -12,7 +12,8 @@ from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.narrative.principles.acting import Acting
 from freebody.questions.base import Quantity
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
 ValueOf = Callable[[Quantity, "FormalState"], Any]

@@ -12,16 +12,17 @@ from dataclasses import dataclass
 from typing import Literal
 
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Sentence
 from freebody.measures.angle import Angle
 from freebody.measures.geometry import RIGHT, UP, Direction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World, of_centre
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Slot
 from freebody.narrative.principles.sides import scaled
 from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
-from freebody.symbolic.field import Generator, Ratio
+from freebody.symbolic.field import Generator
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Order = Literal[1, 2]

@@ -5,13 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Argument
 from freebody.model.elements import NonholonomicForm
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.sides import balanced, readable
 from freebody.questions.motion import rates_of
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Limit = Callable[[Ratio], Ratio]  # refuses what is too long to be shown

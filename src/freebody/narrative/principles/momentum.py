@@ -13,7 +13,7 @@ from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.narrative.space.spatial_rates import SpatialRates
 from freebody.questions.base import Quantity
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def parts_of(context: Context, quantity: Quantity) -> tuple[tuple[Ratio, ...], list[int]]:

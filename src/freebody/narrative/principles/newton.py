@@ -16,9 +16,9 @@ import numpy as np
 from freebody.errors import RoutesDisagree
 from freebody.language.expression import Call, Expr, add, multiply, negate, power
 from freebody.language.expression import number as number_of
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.lines.glossary import Glossary
-from freebody.narrative.lines.script import Argument, Diagram, Script, Sentence
+from freebody.narrative.lines.script import Diagram, Script
 from freebody.narrative.principles.acting import Acting, FrictionLaw
 from freebody.narrative.principles.elimination import EliminationRow, Solver, Unknowns
 from freebody.narrative.principles.formal import ValueOf, formal_parts, unknowns_in
@@ -30,7 +30,7 @@ from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import PrincipleTable, WritablePrinciple
 from freebody.questions.base import Quantity
 from freebody.study.pictures.idle import idle_rows
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 Solved = dict[int, tuple[Ratio, int]]  # values of unknowns, and the lines in which they stand

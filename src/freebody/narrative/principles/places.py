@@ -15,14 +15,14 @@ from operator import attrgetter
 from typing import Protocol
 
 from freebody.language.expression import ZERO, Symbol
+from freebody.language.sentences import Sentence
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose, position
 from freebody.model.elements import ConstraintRow
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.reactions import place_of
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 Vector = tuple[Ratio, ...]  # by ground components: two in the plane
 MOST_TOGETHER = 7  # bodies that are put together in every possible way

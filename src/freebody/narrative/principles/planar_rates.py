@@ -9,9 +9,10 @@ from collections.abc import Iterator, Sequence
 
 from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.expression import Expr, Symbol, add, n_operations
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.geometry import GROUND, RIGHT, UP
 from freebody.narrative.lines.glossary import Glossary, Meaning, of_centre
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.kinematics import Kinematics, Term, total
 from freebody.narrative.principles.loops import bound_speeds, closed_loops, however_long
@@ -23,7 +24,7 @@ from freebody.narrative.principles.symmetry import Symmetry
 from freebody.narrative.principles.table import WritablePrinciple
 from freebody.questions.motion import OfPoint
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -22,7 +22,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.narrative.principles.acting import Slot
 from freebody.narrative.principles.table import Kind, PrincipleTable, WritablePrinciple
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUND_OFF
 
 Array = NDArray[np.float64]

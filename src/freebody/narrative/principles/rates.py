@@ -11,7 +11,8 @@ from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.table import WritablePrinciple
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

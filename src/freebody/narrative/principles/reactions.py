@@ -6,10 +6,11 @@ from collections.abc import Callable, Iterable
 
 from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.expression import Expr
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import ENERGY
 from freebody.model.elements import ConstraintRow
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.narrative.principles.acting import Acting
 from freebody.questions.reactions import said_of_reaction
 

@@ -9,7 +9,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum, add, multiply, negate, number
 from freebody.language.notation.parts import signed_terms
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_is_positive
 from freebody.symbolic.tidy import tidy
 

@@ -9,12 +9,12 @@ from __future__ import annotations
 from collections.abc import Iterable, Iterator
 
 from freebody.language.expression import Symbol
+from freebody.language.sentences import Sentence
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Point
 from freebody.model.elements import NonholonomicForm
 from freebody.model.spins import body_axes
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.principles.acting import Acting
 from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, Vector, contact_point
 from freebody.narrative.principles.rolling import contact_arm, rolling_body

@@ -22,7 +22,7 @@ from typing import Literal
 from freebody.narrative.principles.acting import Acting, Slot
 from freebody.narrative.principles.places import Aim, MomentAxis, MomentCentre, PlanarPlaces, PrinciplePlaces
 from freebody.narrative.principles.spatial_places import SpatialPlaces
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 Kind = Literal["linear", "angular"]
 

@@ -7,10 +7,10 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, n_operations, negate
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
-from freebody.narrative.lines.script import Argument, DerivationStage, Script
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.questions.base import Quantity
 from freebody.questions.blow import EnergyLostInBlow
@@ -18,8 +18,8 @@ from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.blow import Blow
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 MOST_OPERATIONS = 40  # of a kinetic energy that is written out

@@ -12,12 +12,12 @@ from functools import singledispatch, singledispatchmethod
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, n_operations, number
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, ready
 from freebody.narrative.principles.formal import FormalState
 from freebody.narrative.principles.loops import all_bound
 from freebody.narrative.principles.motion_equations import motion_equations

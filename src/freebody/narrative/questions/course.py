@@ -9,9 +9,9 @@ from __future__ import annotations
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method
-from freebody.narrative.lines.script import Argument, DerivationStage
+from freebody.narrative.lines.script import DerivationStage
 from freebody.narrative.principles.momentum import by_method
 from freebody.narrative.questions.course_by_energy import lines_by_energy, time_by_energy
 from freebody.narrative.questions.course_by_law import law_lines, lines_by_law
@@ -23,7 +23,8 @@ from freebody.narrative.questions.event_way import (
     event_means,
     tell_asked,
 )
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.extent import kept_on_the_way
 from freebody.symbolic.tidy import tidy

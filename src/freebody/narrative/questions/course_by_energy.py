@@ -6,20 +6,21 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, add, multiply, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.script import Argument, Script, ready
+from freebody.narrative.lines.script import Script, ready
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.questions.course_by_law import place_line, say_orbit
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, coordinates_asked
 from freebody.narrative.questions.kept_momenta import places_by_momenta, tell_momenta
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import rates_of
-from freebody.questions.reading import QuestionEvent
 from freebody.symbolic.algebraic_time import AlgebraicTime
 from freebody.symbolic.elliptic import EllipticTime
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.first_integrals import is_driven
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -4,19 +4,20 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import LAMBERT, Call, Expr, Symbol, add, multiply, number, power
-from freebody.language.sentences import Message
-from freebody.narrative.lines.script import Argument, Script, ready
+from freebody.language.sentences import Argument, Message
+from freebody.narrative.lines.script import Script, ready
 from freebody.narrative.principles.sides import positive_first
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, event_means
-from freebody.questions.event import OfQuantity, QuestionEvent
+from freebody.questions.event import OfQuantity
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import rates_of
 from freebody.symbolic.coupled import CoupledMotion
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.decay import Decay
 from freebody.symbolic.laws.growth import Growth
 from freebody.symbolic.laws.oscillation import Oscillation
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.orbits import Orbit
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -9,24 +9,25 @@ from typing import Any, cast
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, multiply, number
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context
 from freebody.narrative.lines.naming import asked_entry, asked_symbol
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, PathLength, Travelled
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.gathered_impulse import GatheredImpulse
 from freebody.questions.loads import Work
 from freebody.questions.motion import rates_of
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import Question
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.passage import smooth_passage
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

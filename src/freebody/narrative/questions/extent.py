@@ -6,12 +6,12 @@ from dataclasses import replace
 from functools import singledispatch
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage
+from freebody.narrative.lines.script import DerivationStage
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
 from freebody.narrative.questions.extreme_of_swing import tell_swing
 from freebody.narrative.questions.kept_momenta import tell_momenta

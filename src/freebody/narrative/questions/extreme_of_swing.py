@@ -6,11 +6,11 @@ from collections.abc import Callable
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol, multiply
-from freebody.language.sentences import Message, Sentence
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Script
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.questions.course_by_law import sum_of
 from freebody.narrative.questions.event_way import TIME
@@ -22,7 +22,7 @@ from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.modal_extremes import Swing, in_numbers, value_of
 from freebody.study.answering.repeated import held_throughout
 from freebody.symbolic.coupled import CoupledMotion
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

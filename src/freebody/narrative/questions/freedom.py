@@ -4,18 +4,19 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, ProductOf, Sum, Symbol, negate, number
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.states import state_name
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Listing, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, Script, ready
 from freebody.narrative.opening import coordinate_words, times
 from freebody.numeric.mobility.kinds import Dependence
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.mobility.found import Mobility
 from freebody.study.mobility.gruebler import Gruebler
-from freebody.study.mobility.mobility import Mobility, mobility
+from freebody.study.mobility.mobility import mobility
 from freebody.study.setup import rank_freedoms
 from freebody.system.system import System
 

@@ -25,7 +25,8 @@ from freebody.narrative.questions.wanted import has_values, introduced
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, When
 from freebody.questions.energy import Energy
-from freebody.questions.event import AskedEvent, QuestionEvent
+from freebody.questions.event import AskedEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.happening import FailsFirst, Happening, Lasting, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question

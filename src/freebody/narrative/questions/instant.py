@@ -7,11 +7,11 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Sum
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, own_symbols, side_of, written
-from freebody.narrative.lines.script import Argument, DerivationStage, Script
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.principles.newton import Solved, same_answer
@@ -21,7 +21,7 @@ from freebody.questions.reading import Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -10,12 +10,13 @@ from collections.abc import Callable, Sequence
 from contextlib import nullcontext
 
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Argument
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import TrueWhen
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Script
 from freebody.questions.motion import rates_of
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import FirstIntegrals
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

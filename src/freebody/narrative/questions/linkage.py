@@ -9,19 +9,12 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, negate, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.measures.geometry import GROUND
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_name, fresh
-from freebody.narrative.lines.script import (
-    Argument,
-    DerivationStage,
-    NumberedFormula,
-    Script,
-    Sentence,
-    ready,
-)
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script, ready
 from freebody.narrative.questions.linkage_loop import introduce, tell_diagonal, tell_lengths
 from freebody.narrative.steady.extremes import by_the_drive
 from freebody.questions.at_dead_points import AtDeadPoints
@@ -45,12 +38,12 @@ from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.linkages import FourBar, SliderCrank
 from freebody.study.mobility.loop_answers import (
     extreme_in_numbers,
-    four_links,
     nearest,
     output_of,
     reversing,
     transmission_in_numbers,
 )
+from freebody.study.mobility.loop_questions import four_links
 from freebody.study.steady.drive import followed
 from freebody.study.steady.round_turn import DrawnTurn
 from freebody.symbolic.closure import explicit

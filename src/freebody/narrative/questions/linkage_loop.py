@@ -9,11 +9,12 @@ import math
 from collections.abc import Callable
 
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, negate, number, power
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.geometry import GROUND, position, unit
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh
-from freebody.narrative.lines.script import Argument, FormulaTable, Script, Sentence
+from freebody.narrative.lines.script import FormulaTable, Script
 from freebody.study.mobility.dead_points import bars_of
 from freebody.study.mobility.four_links import FourLinks
 from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank

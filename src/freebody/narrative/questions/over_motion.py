@@ -7,16 +7,17 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol, number, power
-from freebody.language.sentences import Message, Sentence
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, square_line
 from freebody.narrative.questions.kept_momenta import tell_momenta
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.extent import ExtremeOfMotion
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import Question
 from freebody.study.answering.crosscheck import SaysNothing, holds
 from freebody.study.answering.extremes_until import extreme_in_numbers
 from freebody.study.answering.motion_extremes import Along, Stationary, along, along_until

@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message
 from freebody.measures.base import Measure
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import World
 from freebody.narrative.lines.naming import asked_as, asked_entry
-from freebody.narrative.lines.script import Argument, DerivationStage, Script
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.momentum import by_method
 from freebody.narrative.questions.course_by_energy import first_integral, say_first_integral, say_integral, square_line
 from freebody.narrative.questions.kept_momenta import tell_momenta

@@ -16,12 +16,12 @@ from functools import singledispatch
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, number, power, substitute
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.measures.base import Measure
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Sentence
+from freebody.narrative.lines.script import DerivationStage
 from freebody.narrative.questions.small_telling import SmallTelling
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
@@ -37,9 +37,9 @@ from freebody.questions.small_motion import (
 )
 from freebody.study.answering.answer import Answer
 from freebody.study.small_motion.forced import forced_number
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import forced_oscillation
 from freebody.symbolic.linearised import swing_of
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

@@ -31,7 +31,7 @@ from freebody.study.answering.at_equilibrium import frequencies_at, instants, is
 from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 STEP = 1e-3  # rad, m

@@ -15,12 +15,12 @@ from dataclasses import dataclass
 
 from freebody.errors import FormulaTooLong
 from freebody.language.expression import Expr, Symbol, add, divide, multiply, n_operations, number, power, substitute
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.analytic import by_lagrange
 from freebody.narrative.principles.elimination import EliminationRow
 from freebody.narrative.principles.motion_equations import motion_equations
@@ -32,9 +32,9 @@ from freebody.questions.small_motion import Damping
 from freebody.study.answering.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised, Matrix, stand_still, swing_of
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -8,12 +8,13 @@ from functools import singledispatch
 from typing import Any, Protocol
 
 from freebody.language.expression import Expr, Symbol, add, multiply, n_operations, number, power
+from freebody.language.sentences import Sentence
 from freebody.measures.geometry import ZERO, Point
 from freebody.model.elements import AppliedLoad, BodyPart, RigidBody
 from freebody.model.state import State
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics

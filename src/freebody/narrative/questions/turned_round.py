@@ -9,13 +9,13 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.first_turn import at_first_turn
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, ready
 from freebody.narrative.principles.sides import parted
 from freebody.narrative.questions.wanted import has_values, introduced
 from freebody.questions.base import Quantity, Wanted

@@ -7,9 +7,10 @@ from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.script import Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.questions.reading import Question
 
 

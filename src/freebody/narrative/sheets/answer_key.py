@@ -7,7 +7,8 @@ from dataclasses import dataclass
 
 from freebody.language.expression import Expr
 from freebody.language.raising import raised, typeset
-from freebody.narrative.lines.script import Sentence, ready
+from freebody.language.sentences import Sentence
+from freebody.narrative.lines.script import ready
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.present.report.blocks import Emphasis, Formula, Table, Text
 from freebody.study.answering.answer import Answer

@@ -6,9 +6,8 @@ from collections.abc import Iterable, Sequence
 from pathlib import Path
 
 from freebody.errors import FreebodyError, InputError, ModelError
-from freebody.language.sentences import Message, lines
+from freebody.language.sentences import Message, Sentence, lines
 from freebody.model.noting import did_you_mean
-from freebody.narrative.lines.script import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SOLUTIONS, SheetContent, Solutions
 from freebody.narrative.sheets.sheet_report import SheetWriter

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from freebody.narrative.lines.script import Sentence
+from freebody.language.sentences import Sentence
 from freebody.narrative.sheets.answer_key import key_table
 from freebody.narrative.sheets.content import SheetContent
 from freebody.narrative.sheets.in_numbers import options_in_numbers

@@ -9,12 +9,13 @@ from freebody.errors import ExpressionError, FreebodyError
 from freebody.language.expression import Call, Expr, Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.raising import raised, typeset
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import DIMENSIONLESS, TIME, quantities_within
 from freebody.measures.geometry import ZERO
 from freebody.model.elements import RigidBody
 from freebody.model.phrases import phrase_text
 from freebody.model.states import as_told
-from freebody.narrative.lines.script import Argument, Sentence, ready
+from freebody.narrative.lines.script import ready
 from freebody.narrative.sheets.asking import asking
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.sheets.options import shown

@@ -7,17 +7,18 @@ from collections.abc import Collection, Iterable
 from freebody.connections.shared_by_copies import copy_of_row
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.narrative.lines.glossary import Meaning
-from freebody.narrative.lines.script import Argument, Legend, Sentence
+from freebody.narrative.lines.script import Legend
 from freebody.narrative.principles.sides import balanced, readable
 from freebody.narrative.space.spatial_frames import Frames
 from freebody.narrative.space.spatial_vectors import VectorSums
 from freebody.questions.motion import AngularVelocity, OfMeasure, rates_of
 from freebody.questions.vectors import AXES
 from freebody.study.eom import primitive_part
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

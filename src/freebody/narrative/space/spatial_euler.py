@@ -10,13 +10,14 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, number, power, rate_key
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_entry, asked_symbol, fresh, named, side_of
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.questions.state import AnswerParts
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
@@ -24,7 +25,7 @@ from freebody.questions.energy import Energy
 from freebody.questions.motion import AngularVelocity, OfPoint
 from freebody.questions.reading import Question
 from freebody.questions.vectors import Group, is_among
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

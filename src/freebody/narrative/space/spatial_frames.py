@@ -6,14 +6,15 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr, Symbol
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.geometry import GROUND
 from freebody.model.spins import body_axes
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.naming import component_names
-from freebody.narrative.lines.script import Argument, Legend, Script, Sentence
+from freebody.narrative.lines.script import Legend, Script
 from freebody.questions.vectors import AXES, Basis, components_of, dot
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.spatial.bodies import SpatialBodies
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

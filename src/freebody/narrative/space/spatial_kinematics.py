@@ -11,12 +11,13 @@ from __future__ import annotations
 from collections.abc import Callable, Collection, Sequence
 
 from freebody.language.expression import Call, Expr, Symbol, add, number, rate_key
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.elements import BodyPlane, NonholonomicForm, RigidBody
 from freebody.narrative.lines.glossary import Glossary, Meaning, World
 from freebody.narrative.lines.rates import rate_of
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.loops import bound_speeds, closed_loops, velocity_constraints
 from freebody.narrative.principles.rolling import contact_arm, rolling_body
 from freebody.narrative.principles.sides import scaled
@@ -25,7 +26,7 @@ from freebody.narrative.space.spatial_frames import Axes, Frames, Vector, axes_o
 from freebody.questions.motion import AngularVelocity, OfPoint, rates_of
 from freebody.questions.vectors import AXES, ORIGIN, components_of, cross, dot
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

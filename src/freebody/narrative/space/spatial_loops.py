@@ -18,7 +18,7 @@ from freebody.model.named_angles import offered_name
 from freebody.model.rotations import dot as dot_of_components
 from freebody.narrative.space.spatial_frames import Frames, Vector
 from freebody.questions.vectors import cross, dot
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

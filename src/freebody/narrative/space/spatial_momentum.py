@@ -9,17 +9,19 @@ from collections.abc import Sequence
 from dataclasses import replace
 
 from freebody.language.expression import Expr, Symbol, add
+from freebody.language.sentences import Argument, Sentence
 from freebody.model.elements import RigidBody
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, Script, Sentence
+from freebody.narrative.lines.script import Script
 from freebody.narrative.questions.state import AnswerParts, name_of, stored
 from freebody.narrative.space.spatial_frames import axes_of, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.energy import Energy
-from freebody.questions.momentum import AngularMomentum, Momentum, is_among
-from freebody.symbolic.field import Ratio
+from freebody.questions.momentum import AngularMomentum, Momentum
+from freebody.questions.vectors import is_among
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

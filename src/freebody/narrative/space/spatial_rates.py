@@ -10,10 +10,11 @@ from collections.abc import Sequence
 from itertools import zip_longest
 
 from freebody.language.expression import n_operations, number
+from freebody.language.sentences import Argument
 from freebody.measures.geometry import Point
 from freebody.model.elements import RigidBody
 from freebody.narrative.lines.rates import rates_of_vector
-from freebody.narrative.lines.script import Argument, Script
+from freebody.narrative.lines.script import Script
 from freebody.narrative.principles.kinematics import Term
 from freebody.narrative.principles.planner import Plan
 from freebody.narrative.principles.rates import MomentumRate
@@ -22,7 +23,7 @@ from freebody.narrative.principles.table import WritablePrinciple
 from freebody.narrative.space.spatial_frames import Reads, axes_of_body
 from freebody.narrative.space.spatial_kinematics import SpatialKinematics
 from freebody.questions.momentum import AngularMomentum
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 MOST_OPERATIONS = 60  # of the rate of an angular momentum that is shown on the way

@@ -11,10 +11,11 @@ from collections.abc import Callable, Collection, Sequence
 from dataclasses import dataclass
 
 from freebody.language.expression import Expr, Symbol, VectorSymbol, add, multiply, number
+from freebody.language.sentences import Argument, Sentence
 from freebody.measures.geometry import Direction
 from freebody.model.rotations import applied
 from freebody.narrative.lines.glossary import World
-from freebody.narrative.lines.script import Argument, Diagram, Legend, Sentence
+from freebody.narrative.lines.script import Diagram, Legend
 from freebody.narrative.principles.sides import positive_first, scaled
 from freebody.narrative.space.spatial_frames import Frames, Vector
 from freebody.narrative.space.spatial_loops import AngularLoop, AngularLoops, LoopNormal, Turning

@@ -10,17 +10,17 @@ from scipy import optimize
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, FormulaTable, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.questions.over_motion import tell_extreme
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.narrative.steady.superposed import tell_superposed
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
@@ -41,7 +41,7 @@ from freebody.study.steady.phase import Phase, extremes_of_period
 from freebody.study.steady.round_turn import STEP, DrawnTurn
 from freebody.study.steady.turning import Extremum, TurningAngle
 from freebody.symbolic.closure import explicit
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _PLACE = 1e-9  # [rad] the place of an extreme; its value is far better

@@ -7,13 +7,12 @@ from collections.abc import Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol, add, divide, multiply, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Script, Sentence
-from freebody.narrative.principles.motion_equations import readable
-from freebody.narrative.principles.sides import balanced
+from freebody.narrative.lines.script import DerivationStage, Script
+from freebody.narrative.principles.sides import balanced, readable
 from freebody.narrative.steady.stability import Beside, disturbances
 from freebody.questions.reading import Question
 from freebody.questions.steady import SteadyOscillations
@@ -21,7 +20,7 @@ from freebody.study.answering.answer import Answer
 from freebody.study.steady.linear import linear_at_start
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.oscillations import frequencies_of, meant, squared_with_damping
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _PI = Symbol("pi")

@@ -5,9 +5,10 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 from freebody.language.expression import Expr
-from freebody.narrative.lines.script import FormulaTable, Script, Sentence
+from freebody.language.sentences import Sentence
+from freebody.narrative.lines.script import FormulaTable, Script
 from freebody.narrative.principles.sides import readable
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -9,11 +9,11 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, multiply, number, power
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, Legend, Script
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.steady.polynomial import tell_polynomial
 from freebody.narrative.steady.steady_motion import tell_what_runs
@@ -27,7 +27,7 @@ from freebody.study.steady.linearised import About
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.spin import slopes_beside
 from freebody.study.steady.stability import is_even
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _ROUND_OFF = 1e-5  # of exponents by differences

@@ -16,12 +16,12 @@ from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, rate_key
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.states import shown_rate, state_name
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, names_of, side_of
-from freebody.narrative.lines.script import Argument, DerivationStage, Legend, Script, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, Legend, Script, ready
 from freebody.narrative.principles.motion_equations import motion_equations
 from freebody.narrative.principles.sides import balanced
 from freebody.questions.motion import rates_of

@@ -4,11 +4,11 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Symbol
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import fresh, named
-from freebody.narrative.lines.script import Argument, DerivationStage, Script, Sentence
+from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.questions.steady import Extremes
 from freebody.study.steady.superposed import Superposed, bounds_in_numbers
 from freebody.symbolic.tidy import tidy

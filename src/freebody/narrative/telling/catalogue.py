@@ -20,11 +20,11 @@ from freebody.language.expression import Call, Number, PowerOf, ProductOf, Sum, 
 from freebody.language.notation import Stated
 from freebody.language.notation.parts import LETTER_OF
 from freebody.language.raising import raised
-from freebody.language.sentences import Message
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import Dimension
 from freebody.messages import Shown
 from freebody.model.noting import did_you_mean
-from freebody.narrative.lines.script import REFERENCES, Argument, Sentence
+from freebody.narrative.lines.script import REFERENCES
 from freebody.narrative.telling.dollars import formula_of, with_rates
 from freebody.narrative.telling.phrases import GENERAL, MESSAGES, POINT, TABLE, phrases_of
 from freebody.narrative.words import languages, tables_of

@@ -7,8 +7,9 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.errors import FreebodyError
 from freebody.language.notation.parts import decimals_with
+from freebody.language.sentences import Sentence
 from freebody.narrative.derivation import Derivation, WorkedSolutions
-from freebody.narrative.lines.script import DerivationStage, Sentence, ready
+from freebody.narrative.lines.script import DerivationStage, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue

@@ -7,8 +7,8 @@ from itertools import groupby
 
 from freebody.language.expression import Expr
 from freebody.language.raising import raised
+from freebody.language.sentences import Argument, Sentence
 from freebody.narrative.lines.script import (
-    Argument,
     Cell,
     DerivationStage,
     Diagram,
@@ -18,7 +18,6 @@ from freebody.narrative.lines.script import (
     Listing,
     NumberedFormula,
     OptionText,
-    Sentence,
 )
 from freebody.narrative.sheets.options import shown
 from freebody.narrative.telling.catalogue import Catalogue

@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import of_axles
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import languages
-from freebody.questions.spoken.naming import Elements, linked, plain_names
+from freebody.questions.spoken.naming import linked, plain_names
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -19,6 +19,7 @@ from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
+from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.existing import where_there_is_one
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
@@ -31,7 +32,7 @@ from freebody.questions.spoken.keeping import (
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
-from freebody.questions.spoken.naming import Elements, elements_of
+from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.pointing import pointing

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 from freebody.questions.spoken.assumed import without_what_holds
 from freebody.questions.spoken.by_side import before_its_kind
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import (
     MARKED,
     Word,
@@ -22,7 +23,7 @@ from freebody.questions.spoken.lexicon import (
     translated,
 )
 from freebody.questions.spoken.meaning import meanings
-from freebody.questions.spoken.naming import Elements, elements_of, linked
+from freebody.questions.spoken.naming import elements_of, linked
 from freebody.questions.spoken.numerals import in_digits
 from freebody.questions.spoken.own_axles import about_own_axles
 from freebody.questions.spoken.several import paired

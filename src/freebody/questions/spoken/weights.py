@@ -16,8 +16,9 @@ from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.compounds import in_english_nouns
+from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import contexts, languages
-from freebody.questions.spoken.naming import Elements, linked, plain_names
+from freebody.questions.spoken.naming import linked, plain_names
 from freebody.questions.spoken.wanted_unit import ACCELERATES
 
 if TYPE_CHECKING:

@@ -14,8 +14,9 @@ from freebody.language.sentences import Message, further
 from freebody.language.units import FORCE, TORQUE
 from freebody.measures.base import Measure
 from freebody.questions.base import Quantity, Wanted
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, RestValue, SmallOscillations
 from freebody.questions.turned_round import ValueFor
 from freebody.study.answering.draws import Draw
@@ -31,7 +32,7 @@ from freebody.symbolic.equilibrium import (
     find_equilibrium,
     lies_in_family,
 )
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
 from freebody.symbolic.state import SymbolicState

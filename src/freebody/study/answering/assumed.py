@@ -12,7 +12,7 @@ from freebody.language.notation import Stated, to_python
 from freebody.language.sentences import Message
 from freebody.study.answering.answer import Answer
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF
 

@@ -31,8 +31,8 @@ from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_
 from freebody.study.where_true import left_at
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import GYROSCOPIC, WITH_STATES
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linearised import swing_of
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import place_of_mode
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUND_OFF

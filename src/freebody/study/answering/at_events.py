@@ -12,9 +12,9 @@ from freebody.errors import CannotAnswer, FormulaTooLong, NeverHappens
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
-from freebody.questions.event import FarthestPlace
+from freebody.questions.event import AskedEvent, FarthestPlace
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.extent import Extent, ExtremeOfMotion
-from freebody.questions.reading import AskedEvent, QuestionEvent
 from freebody.study.answering import evidence as proof
 from freebody.study.answering.by_kind import FindingByKind
 from freebody.study.answering.chain import chain_of, n_terms_in_all
@@ -24,8 +24,8 @@ from freebody.study.answering.finding import Elements, Finding
 from freebody.study.answering.integrals import has_integrals
 from freebody.study.answering.passage import smooth_passage
 from freebody.symbolic.conditions import Condition, insisted, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import HoldsOnce, Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import StagedState, SymbolicState

@@ -30,7 +30,7 @@ from freebody.language.expression import (
 )
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, element_at
 from freebody.study.answering.draws import Draw
@@ -41,8 +41,8 @@ from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.existence import exists
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.loop_angles import ByCoefficients, ByCosine, ByHalf, BySine, LoopAngle, LoopAngles
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import NamedElement, StagedMotion
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

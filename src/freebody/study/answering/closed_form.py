@@ -15,7 +15,7 @@ from freebody.language.notation import Stated, to_python, to_text
 from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import OfMeasure, Staying
@@ -37,7 +37,7 @@ from freebody.study.answering.staying import check_stays
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.dynamics import NothingWithMass
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

@@ -9,7 +9,7 @@ from freebody.language.sentences import Message
 from freebody.study.answering.answer import Value
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import sign_given
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 from freebody.symbolic.validity import texts
 

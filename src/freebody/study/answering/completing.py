@@ -35,8 +35,8 @@ from freebody.study.answering.scope import for_all
 from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import MOVING, kept_until
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

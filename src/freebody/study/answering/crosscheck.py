@@ -12,13 +12,13 @@ from typing import TypeVar
 from freebody.assess.points import EvaluationPoint, real, working_precision
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.spread import disagreement
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, merged
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import LEAST, ROUNDED
 
 T = TypeVar("T")

@@ -23,9 +23,9 @@ from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked, held_throughout, taken_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.law_ranges import extent_by_law
 from freebody.symbolic.laws.damped import Damped
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 

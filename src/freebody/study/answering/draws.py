@@ -25,8 +25,9 @@ from freebody.model.elements import NonholonomicForm
 from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
 from freebody.numeric.rotation import matrix, rotation_vector
+from freebody.numeric.snapshot import Snapshot
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.spatial.tree import tree_of
 from freebody.system.system import System

@@ -11,7 +11,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, negate, number, power, substitute
 from freebody.language.notation import compared, reworded
 from freebody.language.sentences import Message
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.chain import ChainBuilder
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck
@@ -22,8 +23,8 @@ from freebody.study.answering.named_formulas import NamedFormula
 from freebody.study.answering.numbers import at_event
 from freebody.study.answering.witness import patience
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.first_integrals import is_driven
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import shortened
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

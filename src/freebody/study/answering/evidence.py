@@ -11,10 +11,10 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,
@@ -33,8 +33,8 @@ from freebody.study.answering.witness import motion_to, patience
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup, rank_freedoms
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED
+from freebody.symbolic.ratio import Ratio
 
 InNumbers = Callable[[Draw, Snapshot], tuple[float, ...]]
 LONGEST = 100.0  # [s] that a motion without a closed form of its time is followed

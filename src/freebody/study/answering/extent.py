@@ -14,7 +14,8 @@ from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.engine.engine import Engine
 from freebody.numeric.engine.evaluator import EngineWatch
 from freebody.questions.base import Wanted
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.event_base import QuestionEvent
+from freebody.questions.reading import Question
 from freebody.questions.turned_round import REACHED, RangeFor
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
@@ -32,8 +33,8 @@ from freebody.study.answering.repeated import DIED_AWAY, SHORTER, checked, coord
 from freebody.study.answering.witness import least_rate, patience, run, snapshots
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_until
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate

@@ -29,9 +29,9 @@ from freebody.study.answering.ranges import RangeSearch
 from freebody.study.answering.turned_round import PutBack, quantity_with
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.limits import derivative_by
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 

@@ -8,8 +8,8 @@ from collections.abc import Sequence
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.present.lines import number_text
+from freebody.questions.event import AskedEvent
 from freebody.questions.extent import ExtremeOfMotion
-from freebody.questions.reading import AskedEvent
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.extent import LONGEST, kept_on_the_way

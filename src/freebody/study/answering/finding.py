@@ -23,8 +23,8 @@ from freebody.study.answering.named_formulas import InNames
 from freebody.study.worded import FAILED, cause
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.dynamics import NotDetermined
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.written import HasNoValue
 from freebody.system.system import System
 

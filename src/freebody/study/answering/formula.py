@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.study.answering.answer import Evidence, Value
 from freebody.study.answering.finding import Elements
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

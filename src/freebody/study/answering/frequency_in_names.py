@@ -33,7 +33,7 @@ from freebody.study.answering.finding import NO_FORM
 from freebody.study.answering.in_names import in_numbers, told
 from freebody.study.answering.named_formulas import Chain, InNames, NamedFormula
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import NamedElement, shortened
 from freebody.symbolic.tidy import tidy
 

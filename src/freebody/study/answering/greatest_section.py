@@ -24,7 +24,7 @@ from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUNDED

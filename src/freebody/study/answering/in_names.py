@@ -8,8 +8,9 @@ from functools import partial
 
 from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.sentences import Message
-from freebody.numeric.reference import Snapshot
-from freebody.questions.reading import AskedEvent, Question
+from freebody.numeric.snapshot import Snapshot
+from freebody.questions.event import AskedEvent
+from freebody.questions.reading import Question
 from freebody.study.answering import loops
 from freebody.study.answering.answer import Answer, Evidence, made
 from freebody.study.answering.chain import chain_alone, inputs, is_assembled

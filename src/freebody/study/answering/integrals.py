@@ -7,7 +7,7 @@ from collections.abc import Iterable
 from freebody.language.expression import LAMBERT
 from freebody.language.sentences import Message
 from freebody.study.answering.finding import Elements
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _COMPLETE = Message(
     "K(k) is the complete elliptic integral of the first kind with the modulus k, the integral of "

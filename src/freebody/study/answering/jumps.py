@@ -13,8 +13,8 @@ from freebody.questions.reading import Question
 from freebody.questions.vectors import place as place_of
 from freebody.study.answering.answer import Answer, Value, made, of_all
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import MOVING
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

@@ -27,8 +27,8 @@ from freebody.study.answering.numbers import number_at
 from freebody.study.answering.turned_round import TIME, PutBack, quantity_with
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.limits import Approach, Tendency
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _NEAR = (1e-3, 0.05)  # of its own value: a parameter that is nearly there; the second where the numeric route fails

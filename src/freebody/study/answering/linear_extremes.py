@@ -18,7 +18,7 @@ from freebody.study.answering.motion_values import extremes_over_cycle
 from freebody.study.answering.repeated import checked, held_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 

@@ -20,8 +20,8 @@ from freebody.study.answering.named_formulas import Chain
 from freebody.study.eom import primitive_part
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.loop_angles import LoopAngles
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

@@ -25,7 +25,7 @@ from freebody.study.answering.repeated import checked, held_throughout
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.coupled import ModalWave
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

@@ -42,7 +42,7 @@ from freebody.study.answering.uniform_extremes import find as find_even
 from freebody.study.setup import Setup
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, closed, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -9,7 +9,7 @@ from typing import Any
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, rate_key
 from freebody.language.notation import to_latex, to_python
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

@@ -12,15 +12,16 @@ from freebody.errors import BudgetExhausted, CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.arithmetic import AtStart
 from freebody.questions.at_events import AtEvent
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
+from freebody.questions.event import AskedEvent
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.loads import Power
 from freebody.questions.period import Period
-from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.reading import Question
 from freebody.questions.small_motion import Equilibrium, OfSmallMotion, RestValue, SmallOscillations
 from freebody.study.answering.answer import Value
 from freebody.study.answering.crosscheck import as_parts

@@ -22,7 +22,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.answering.scope import is_scope
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

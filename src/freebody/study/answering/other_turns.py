@@ -13,7 +13,7 @@ from freebody.errors import CannotAnswer, ExpressionError
 from freebody.language.expression import PI, Expr, evaluate, number
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message, further
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.numbers import number_of

@@ -7,8 +7,8 @@ from freebody.language.sentences import Message
 from freebody.study.answering.finding import Elements
 from freebody.study.answering.formula_phase import FormulaPhase
 from freebody.symbolic.antiderivative import antiderivative
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 FORCE_CHANGES = Message(
     "the force changes on the way, and its impulse has no closed form here; ask for the change of the momentum"

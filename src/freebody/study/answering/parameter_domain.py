@@ -9,8 +9,8 @@ from fractions import Fraction
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF
 

@@ -33,7 +33,7 @@ from freebody.study.answering.over_time import FORCE_CHANGES, by_momentum, over_
 from freebody.study.answering.turns_in_space import turns_in_formulas, turns_in_numbers
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.symbolic.turned_ways import turned_way

@@ -17,7 +17,8 @@ from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Number, Sy
 from freebody.language.notation import Stated, compared, reworded, to_python
 from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
-from freebody.questions.event import ExtremeEvent, FarthestPlace, QuantityEvent, QuestionEvent
+from freebody.questions.event import ExtremeEvent, FarthestPlace, QuantityEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import FoundAt, Question
 from freebody.study.answering.answer import Answer

@@ -35,7 +35,8 @@ from freebody.questions.arithmetic import Calculated
 from freebody.questions.at_events import AtEvent
 from freebody.questions.base import Quantity
 from freebody.questions.clock import ENDLESS
-from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent, QuestionEvent
+from freebody.questions.event import ChangeEvent, ExtremeEvent, OfQuantity, QuantityEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.final_values import ShareOfFinal
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import FoundAt, Question

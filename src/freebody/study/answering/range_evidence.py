@@ -29,7 +29,7 @@ from freebody.study.answering.turned_round import (
 )
 from freebody.study.setup import N_MORE
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 class OtherEnds(CannotAnswer):

@@ -20,7 +20,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _ON = 1e-7  # of the size of its terms: a formula that vanishes at an end
 _INSIDE = (0.07, 0.31, 0.5, 0.68, 0.94)  # places between two ends that are looked at

@@ -34,8 +34,8 @@ from freebody.study.answering.range_truth import End, Interval, NotKnown, TruthI
 from freebody.study.answering.turned_round import NoneFound, without_roots
 from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import MOVING

@@ -32,8 +32,8 @@ from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.witness import least_rate, patience, run
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.on_the_way import kept_throughout
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.validity import TAKEN

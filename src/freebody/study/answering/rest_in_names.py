@@ -31,7 +31,7 @@ from freebody.study.answering.in_names import in_numbers
 from freebody.study.answering.named_formulas import InNames, NamedFormula
 from freebody.study.mobility.centres import moving_for
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.staged import StagedMotion
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from freebody.language.expression import Symbol
 from freebody.language.notation import Stated, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 FOR_ALL = Message("for all positive parameters")

@@ -16,7 +16,7 @@ from freebody.language.sentences import Message
 from freebody.questions.section import SectionForce
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
 _THERE = Message("the section lies there between the loads")

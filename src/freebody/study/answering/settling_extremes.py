@@ -25,7 +25,7 @@ from freebody.study.answering.repeated import checked, held_throughout, taken_th
 from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.unknowns import Coordinate
 

@@ -18,7 +18,7 @@ from freebody.model.elements import NonholonomicForm
 from freebody.numeric.engine.course import Status
 from freebody.numeric.jets import Array
 from freebody.numeric.options import SimulationOptions
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition, TransitionKind

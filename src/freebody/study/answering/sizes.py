@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 

@@ -15,7 +15,8 @@ from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
 from freebody.questions.event import AnyPlace
 from freebody.questions.happening import Happening, Lasting
-from freebody.questions.reading import Question, is_of_start
+from freebody.questions.reading import Question
+from freebody.questions.reading_when import is_of_start
 from freebody.questions.rest import RestLimit
 from freebody.questions.whether import Whether
 from freebody.study.answering import evidence as proof

@@ -26,7 +26,7 @@ from freebody.study.answering.finding import OnlyInNumbers
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide.slopes import enclosed, two_terms
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _flint: Any = flint
 _BOXES = 600  # that one of the first ones is cut into

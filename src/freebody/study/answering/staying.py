@@ -14,7 +14,7 @@ from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.questions.motion import Staying
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 

@@ -18,7 +18,7 @@ from freebody.study.answering.closed_form import QuestionSolver
 from freebody.study.settled import settled
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System
 

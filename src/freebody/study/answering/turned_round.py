@@ -20,11 +20,12 @@ from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
 from freebody.model.elements import Parameter
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
+from freebody.questions.event import AskedEvent
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
 from freebody.study.answering.crosscheck import (
@@ -48,8 +49,8 @@ from freebody.study.answering.solved_in_numbers import Side, solved_in_numbers
 from freebody.study.answering.witness import patience
 from freebody.study.setup import N_DRAWS, Setup
 from freebody.symbolic.conditions import Condition, merged, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import solutions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import TAKEN

@@ -18,7 +18,7 @@ from freebody.model.spins import spin
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.formula_phase import FormulaPhase
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _AXES = tuple(Direction(GROUND, axis) for axis in UNIT)
 _ROUND_OFF = 1e-9  # of the product of two rates

@@ -24,8 +24,8 @@ from freebody.study.answering.repeated import checked, held_throughout, taken_th
 from freebody.study.answering.sizes import is_size
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.uniform import UniformLaw
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.signs import Sign, sign_of
 

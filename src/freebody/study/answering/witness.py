@@ -27,9 +27,11 @@ from freebody.numeric.instant import WithoutInertia, place_of
 from freebody.numeric.jets import Array
 from freebody.numeric.kernels import factoring
 from freebody.numeric.options import SimulationOptions
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.clock import Clock
-from freebody.questions.reading import AskedEvent, QuestionEvent
+from freebody.questions.event import AskedEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.tolerances import LEAST
 
 MOST_STEPS = 100_000  # of a motion to an event

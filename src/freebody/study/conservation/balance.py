@@ -29,8 +29,8 @@ from freebody.questions.conservation import GeneralizedMomentum, JacobiIntegral
 from freebody.questions.energy import Energy
 from freebody.questions.momentum import AngularMomentum, Momentum, point_about
 from freebody.questions.vectors import Group, components_of, cross, dot, is_among, place
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState, law_polynomial
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System

@@ -23,7 +23,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, MOMENTUM
 from freebody.numeric.jets import Array
 from freebody.numeric.potential import work_between
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.energy import Energy
 from freebody.study.answering.crosscheck import element_at

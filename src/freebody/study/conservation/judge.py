@@ -28,7 +28,7 @@ from freebody.study.conservation.constancy import (
 from freebody.study.conservation.vanishing_rates import ConservationFinding, VanishingRates
 from freebody.study.conservation.verdicts import EVERY_SIMULATED, Verdicts
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.vanishing import (
     ALWAYS,

@@ -21,7 +21,7 @@ from freebody.study.conservation.constancy import (
     SimulatedRuns,
 )
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.vanishing import (
     VanishingCase,
     cases_where_zero,

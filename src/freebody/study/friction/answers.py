@@ -38,7 +38,7 @@ from freebody.study.friction.touching import TouchingAtRest, touching
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure
 from freebody.symbolic.conditions import Condition, merged
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED

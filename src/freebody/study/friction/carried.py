@@ -10,7 +10,7 @@ from freebody.errors import CannotAnswer
 from freebody.numeric.rest_problem import FREE_BESIDE
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def carried(touching: TouchingAtRest, setup: Setup) -> dict[str, tuple[Ratio, ...]]:

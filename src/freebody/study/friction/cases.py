@@ -23,10 +23,10 @@ from freebody.study.setup import Setup
 from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
 from freebody.symbolic.conditions import Condition, closed, insisted
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import Inequality, Line, without_free, without_implied
 from freebody.symbolic.linear import RHS, Row
 from freebody.symbolic.parameter_roots import Values, solutions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.surplus import ReducedColumns
 from freebody.symbolic.zeros import reals
 from freebody.system.corners import in_words

@@ -19,7 +19,8 @@ from freebody.study.friction.limits import HoldingEnd, Parametric
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.active_set import RestEquations
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 
 _LARGE = 1e6  # a coefficient of friction that is as good as any
 

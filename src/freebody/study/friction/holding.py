@@ -33,9 +33,9 @@ from freebody.symbolic.active_set import Failure, RestEquations, Slot
 from freebody.symbolic.angle_factors import open_parts
 from freebody.symbolic.conditions import Condition, merged, relation_text, require
 from freebody.symbolic.decide import implied
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.inequalities import without_implied
 from freebody.symbolic.linear import RHS
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.surplus import ReducedColumns
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System

@@ -27,7 +27,7 @@ from freebody.study.setup import Setup
 from freebody.symbolic.closure import Closure
 from freebody.symbolic.conditions import Condition, merged
 from freebody.symbolic.decide import decide
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 @answered.register(Assembly)

@@ -26,7 +26,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn, followed, without_drive
 from freebody.study.steady.round_turn import DrawnTurn
 from freebody.symbolic.closure import explicit
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _NEEDS_DRIVE = Message("it depends on how the crank turns: give it a driver, {{measure: psi, follows: w*t}}")
 

@@ -26,7 +26,7 @@ from freebody.study.steady.drive import FreeToTurn
 from freebody.study.steady.extremes import ExtremaSearch, where
 from freebody.study.steady.turning import TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.parts import cut_out

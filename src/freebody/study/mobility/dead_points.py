@@ -19,8 +19,8 @@ from freebody.study.mobility.four_links import FourLinks, sides_of
 from freebody.study.mobility.linkages import FourBar, LoopJoint, SliderCrank
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.existence import exists
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, cos_sin
+from freebody.symbolic.ratio import Ratio
 
 CLEAR = 1e-9  # of the size: a side on which something is
 _SIDES: tuple[Literal["outer"], Literal["inner"]] = ("outer", "inner")  # stretched and folded

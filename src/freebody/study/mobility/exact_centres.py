@@ -26,8 +26,8 @@ from freebody.measures.geometry import GROUND
 from freebody.questions.centres import InstantCentre
 from freebody.study.mobility.centres import CentreOfPair
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System

@@ -44,8 +44,8 @@ from freebody.study.mobility.grashof import FourBarNumbers, dimensions
 from freebody.study.mobility.linkages import FourBar, Linkage, LoopJoint, SliderCrank, inner_measure
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import atan2, functions
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy

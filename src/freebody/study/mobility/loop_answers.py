@@ -22,12 +22,14 @@ from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.at_dead_points import AtDeadPoints
 from freebody.questions.base import Quantity
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.linkages import DeadPoints, TransmissionAngle
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import Question, QuestionEvent
+from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Value
 from freebody.study.answering.conditions import real
@@ -62,7 +64,7 @@ from freebody.study.mobility.loop_questions import (
 from freebody.study.mobility.turning_case import with_full_turn
 from freebody.study.setup import Setup
 from freebody.study.steady.extremes import extremes
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 ROOMS = (full_turns, assembling)  # they register their kinds of question
 

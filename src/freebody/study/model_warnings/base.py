@@ -13,7 +13,8 @@ from freebody.errors import Problem
 from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.system.system import System
 from freebody.tolerances import ON_LINE
 

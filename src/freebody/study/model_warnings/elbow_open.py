@@ -20,7 +20,7 @@ from freebody.measures.geometry import Point, position
 from freebody.measures.turned import points_in
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.numeric.start import assembled
 from freebody.numeric.unfolding import is_folded, is_told, joint_between
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind

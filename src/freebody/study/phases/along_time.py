@@ -23,7 +23,6 @@ from freebody.study.phases.ends import (
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import (
     ClosedFormMotion,
     MotionInTime,
@@ -31,6 +30,7 @@ from freebody.symbolic.phases.course import (
     behind_zeros,
     has_roots,
 )
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_of
 from freebody.tolerances import LEAST
 

@@ -28,9 +28,9 @@ from freebody.study.phases.ends import (
 from freebody.study.phases.numbers import Chosen, Mask, Sets
 from freebody.study.phases.phase import PhaseWatch
 from freebody.study.phases.words import occurs
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import TAU
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.zeros import reals, turn_of
 

@@ -17,7 +17,8 @@ from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
-from freebody.questions.event import Peak, QuestionEvent
+from freebody.questions.event import Peak
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.questions.whether import Whether
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
@@ -42,7 +43,7 @@ from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.until_change import away, until_change
 from freebody.study.phases.words import action, happening, in_phase
 from freebody.symbolic.conditions import Condition, both, relation_text
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import SolvedRelation, readable
 from freebody.symbolic.spatial.balls import looks_at_axes
 from freebody.symbolic.validity import texts, validity

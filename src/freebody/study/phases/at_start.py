@@ -17,12 +17,13 @@ from freebody.language.sentences import Message
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose
 from freebody.model.elements import UnilateralConstraint
-from freebody.numeric.contact.start import assembled_touching, far_sides, gap_of, is_within
+from freebody.numeric.contact.overlaps import gap_of, is_within
+from freebody.numeric.contact.start import assembled_touching, far_sides
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.study.answering.draws import SEED, draw_parameters
 from freebody.study.setup import Setup
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.spatial.balls import balls
 from freebody.system.modes import ContactMode, ideal_bounds, in_mode
 from freebody.system.system import System

@@ -35,10 +35,10 @@ from freebody.study.phases.passage import PassageWithFriction, passage_of
 from freebody.study.phases.phase import BOUNCES_END, Phase, PhaseWatch
 from freebody.study.phases.quantities import only_friction_takes_energy, plain
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Matrix
 from freebody.symbolic.phases.course import CourseZero, UniformMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import readable
 from freebody.symbolic.unknowns import Coordinate
 

@@ -20,8 +20,8 @@ from freebody.study.phases.reached import STRIKES
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, label
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.validity import TAKEN
 
 

@@ -28,7 +28,7 @@ from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.together import slipping_together
 from freebody.study.phases.words import at_border
 from freebody.symbolic.conditions import closed as while_closed
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.system.modes import ContactMode
 
 MAX_CANDIDATES = 48

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 
 from freebody.numeric.jets import Array
 from freebody.study.phases.numbers import Chosen, Mask
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUND_OFF
 
 Inequality = tuple[Ratio, str, str]  # element, relation to 0, what for

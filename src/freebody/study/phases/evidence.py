@@ -18,11 +18,13 @@ from freebody.language.expression import number
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.energy import Energy
-from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.event import AskedEvent
+from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     INSTANT_TOLERANCE,

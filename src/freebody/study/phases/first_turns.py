@@ -18,7 +18,8 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.questions.event import Peak, QuestionEvent
+from freebody.questions.event import Peak
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.finding import NO_FORM
 from freebody.study.phases.branch import AnswerBranch, branch_at
@@ -26,7 +27,7 @@ from freebody.study.phases.nodes import PhaseNode, WayToPhase
 from freebody.study.phases.pieces import at_turning_impacts, pieces
 from freebody.study.phases.reached import rate_of
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.tolerances import ROUNDED
 

@@ -11,8 +11,9 @@ from freebody.language.sentences import Message
 from freebody.numeric.blow import Blow
 from freebody.numeric.blow import struck as numeric_blow
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
-from freebody.questions.reading import AskedEvent
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
+from freebody.questions.event import AskedEvent
 from freebody.study.phases.witness import FollowedPhase, NumericMode, PhaseSnapshot
 from freebody.system.modes import ContactMode, at_blow, in_mode
 from freebody.system.system import System

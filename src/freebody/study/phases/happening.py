@@ -17,7 +17,8 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.event import QuestionEvent, TurnsBack
+from freebody.questions.event import TurnsBack
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.changes_asked import begins_with, event_behind, meant_of

@@ -19,7 +19,8 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.event import QuestionEvent, TurnsBack
+from freebody.questions.event import TurnsBack
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
 from freebody.study.phases.standing import cannot_slip, feet_of

@@ -27,8 +27,8 @@ from freebody.study.phases.together import slip_rates
 from freebody.study.phases.words import at_start
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.parameter_roots import without_roots_below
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import parted
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, depends_on_time, ideal_bounds, in_mode, sticking_rows

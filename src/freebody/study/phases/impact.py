@@ -39,9 +39,9 @@ from freebody.model.elements import (
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.placed import Given, Placed
 from freebody.symbolic.blow import Blow as Momenta
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.phases.friction import named_rows
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.blows import BlowEvent

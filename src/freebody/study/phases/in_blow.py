@@ -27,8 +27,8 @@ from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseImpact, PhaseNode
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.study.phases.witness import FollowedPhase
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.friction import named_rows
+from freebody.symbolic.ratio import Ratio
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 

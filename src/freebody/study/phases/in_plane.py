@@ -18,7 +18,7 @@ from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.placed import Given
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import start_state
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, Way, in_mode

@@ -15,10 +15,10 @@ from freebody.study.phases.nodes import PhaseEnd, WayToPhase
 from freebody.study.phases.passage import elements_in
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.phases.course import CourseZero, LawMotion, UniformMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
 

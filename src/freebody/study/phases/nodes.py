@@ -14,7 +14,7 @@ from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.placed import Placed
 from freebody.study.phases.words import label
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.blows import BlowEvent
 from freebody.system.modes import Way

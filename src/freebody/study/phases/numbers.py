@@ -20,8 +20,8 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.model.elements import Parameter
 from freebody.numeric.jets import Array
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import SolvedRelation
 from freebody.system.system import System
 from freebody.tolerances import ROUNDED

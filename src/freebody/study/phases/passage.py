@@ -29,9 +29,9 @@ from freebody.study.phases.quantities import (
     value_in_mode,
 )
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import UniformMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reached import Reached
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.turned_ways import TurnedWay, turned_way

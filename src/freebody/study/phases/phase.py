@@ -21,10 +21,10 @@ from freebody.study.phases.placed import Given, Placed
 from freebody.study.setup import Setup
 from freebody.symbolic.carried import carried_property
 from freebody.symbolic.conditions import relation_text
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.phases.course import ClosedFormMotion
 from freebody.symbolic.phases.energy_motion import course_of
 from freebody.symbolic.phases.friction import acts_either_way, named_rows, resultant, solve_loads, with_loads
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
 from freebody.symbolic.state import SymbolicState

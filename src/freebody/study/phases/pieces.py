@@ -15,7 +15,8 @@ from freebody.measures.base import Measure
 from freebody.questions.arithmetic import NoValue
 from freebody.questions.clock import Clock
 from freebody.questions.course import Transition
-from freebody.questions.reading import AskedEvent, Question
+from freebody.questions.event import AskedEvent
+from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.conditions import as_written, at_instant, real
 from freebody.study.answering.finding import NO_FORM, Elements, NotHere, why

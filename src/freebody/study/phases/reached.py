@@ -13,8 +13,8 @@ from typing import Any
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.clock import Clock
-from freebody.questions.event import Peak, QuestionEvent
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent, Peak
+from freebody.questions.event_base import QuestionEvent
 from freebody.study.answering.sizes import is_size
 from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseNode
@@ -22,7 +22,7 @@ from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
 from freebody.study.phases.quantities import value_in_mode
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUNDED
 

@@ -31,10 +31,10 @@ from freebody.study.phases.tree import PhaseTree, tree_of
 from freebody.study.phases.words import action, happening, label, states
 from freebody.study.worded import in_words
 from freebody.symbolic.conditions import Condition, relation_text, require, with_purposes
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.phases.course import ClosedFormMotion, MotionInTime, UniformMotion
 from freebody.symbolic.phases.energy_motion import EnergyMotion
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import SolvedRelation, generators_of, readable, simplified
 from freebody.symbolic.state import SymbolicState
 from freebody.system.system import System

@@ -6,7 +6,8 @@ from collections.abc import Callable
 from typing import Protocol
 
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.phases.quantities import value_in_mode
 from freebody.system.system import System

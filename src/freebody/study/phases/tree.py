@@ -41,7 +41,7 @@ from freebody.study.phases.reached import STRIKES, pending
 from freebody.study.phases.without_phases import insist_on_phases
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 from freebody.system.modes import ContactMode, ideal_bounds
 from freebody.system.system import System

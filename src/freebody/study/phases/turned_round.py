@@ -36,7 +36,7 @@ from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.until_change import Found, until_change
 from freebody.study.settled import start_mode
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.system.system import System
 
 _N_UNTOLD = 5  # sets of numbers without a formula that are simulated

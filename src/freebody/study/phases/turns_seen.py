@@ -8,7 +8,7 @@ from itertools import pairwise
 from freebody.language.expression import ZERO
 from freebody.measures.base import Measure
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.reading import QuestionEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.study.phases.witness import PhaseSnapshot
 
 

@@ -22,7 +22,7 @@ from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 Found = list[tuple[Question, AnswerBranch]]
 

@@ -22,7 +22,7 @@ from freebody.study.phases.happening import HappeningCase, happening_cases
 from freebody.study.phases.happening_seen import is_seen
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.tree import PhaseTree
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import texts, validity
 

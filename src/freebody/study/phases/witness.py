@@ -23,10 +23,10 @@ from freebody.language.expression import Expr, evaluate
 from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction, NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.clock import Clock
-from freebody.questions.event import Peak
-from freebody.questions.reading import AskedEvent
+from freebody.questions.event import AskedEvent, Peak
 from freebody.study.answering.witness import TOUCH
 from freebody.study.phases.looks import Watched, Watcher, begins_in, looked_at, zero_in
 from freebody.study.phases.phase import Phase, without_rows

@@ -16,7 +16,7 @@ from freebody.measures.distance import Distance
 from freebody.measures.geometry import Point, position
 from freebody.model.elements import AppliedLoad, ConstraintRow, NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.study.pictures.points import own_measures, points_of, touching_point
 from freebody.tolerances import ON_LINE, ROUND_OFF
 

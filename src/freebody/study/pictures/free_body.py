@@ -27,7 +27,7 @@ from freebody.model.glyphs import Rope
 from freebody.model.noting import did_you_mean
 from freebody.numeric.instant import law
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.present.picture.forces import Kind, ShownForce
 from freebody.present.picture.label import Label, Run, beside, formula, name
 from freebody.study.pictures.action import Action, cross

@@ -12,7 +12,8 @@ from freebody.budgets import allowed
 from freebody.errors import CannotAnswer, InputError, ModelError, Problem
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.system.system import System
 
 if TYPE_CHECKING:

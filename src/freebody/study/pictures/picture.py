@@ -14,7 +14,7 @@ from freebody.language.sentences import Message
 from freebody.model.glyphs import Coil, ForceArrow, MomentArrow
 from freebody.model.noting import did_you_mean
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.picture import Picture, checked_path
 from freebody.present.picture.whole import Whole, WholeInPlane, described

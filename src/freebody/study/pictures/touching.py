@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from freebody.model.elements import UnilateralConstraint
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 
 _TOUCHES = 1e-6  # of the size of a system
 

@@ -12,7 +12,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.study.simulation.motion import SimulatedMotion
 from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF

@@ -33,7 +33,7 @@ from freebody.numeric.options import SimulationOptions
 from freebody.numeric.reference import Reference
 from freebody.numeric.start_velocities import rates_not_given
 from freebody.questions.clock import Clock
-from freebody.questions.event import QuestionEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.study.simulation.at_borders import border_watches, with_borders
 from freebody.study.where_true import end_and_size
 from freebody.study.worded import without_value

@@ -17,7 +17,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest, beside, compared, oscillates
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import free_oscillations
 
 

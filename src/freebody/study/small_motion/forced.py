@@ -32,12 +32,12 @@ from freebody.study.small_motion.forced_numbers import ForcedNumbers
 from freebody.study.small_motion.resting import TOLERANCE, AtRest
 from freebody.symbolic.conditions import Condition, insisted, require
 from freebody.symbolic.equilibrium import find_equilibrium
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.forced import ForcedOscillation, Phasor, forced_oscillation
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 FORCED = Message("frequency response of the full system, linearised in numbers")

@@ -16,7 +16,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.equilibrium import ClosedFormRest
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, Mode
 
 TOLERANCE = 1e-5  # of the numeric linearisation, by differences

@@ -20,7 +20,7 @@ from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import TOLERANCE, AtRest, beside, compared, oscillates
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, Mode, free_oscillations
 
 NOT_UNIQUE = Message(

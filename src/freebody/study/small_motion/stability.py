@@ -26,9 +26,9 @@ from freebody.study.steady.stability import steady_stability
 from freebody.study.steady.verdict import stable_if
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import find_equilibrium
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.linearised import Linearised
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations
 
 SQUARES = Message(

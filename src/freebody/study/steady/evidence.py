@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import CrossCheck, NotReal, as_parts, element_at
@@ -21,7 +21,7 @@ from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import Solutions, SteadyMotion
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 

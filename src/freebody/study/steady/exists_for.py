@@ -25,7 +25,7 @@ from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving, placed
 from freebody.study.steady.motion import Solutions, SteadyMotion
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.tolerances import ROUND_OFF
 
 _OPPOSITE = {">": ">=", ">=": ">"}  # of the negative element

@@ -34,10 +34,10 @@ from freebody.study.steady.turning import Extremum, TurningAngle, TurnPose
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.decide import decide
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linearised import Swing
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import odd_part
 from freebody.symbolic.signs import Sign, sign_of, times
 from freebody.symbolic.tidy import tidy

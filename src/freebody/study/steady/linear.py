@@ -10,8 +10,8 @@ from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.study.setup import Setup
 from freebody.study.steady.motion import SteadyMotion, is_quarter
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, determinant, solve
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.zeros import reals
 

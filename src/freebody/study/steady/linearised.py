@@ -13,14 +13,14 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Snapshot
+from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, SaysNothing, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving
 from freebody.study.steady.linear import Linear
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 

@@ -18,14 +18,15 @@ from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
-from freebody.questions.event import AskedEvent, QuestionEvent
+from freebody.questions.event import AskedEvent
+from freebody.questions.event_base import QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
 from freebody.study.steady.apart import MOST_ROOTS, nearest, places_apart
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import odd_part, without_square_roots
 from freebody.symbolic.signs import sign_of
 from freebody.symbolic.speeds import total_of

@@ -19,7 +19,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.decide import decide
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def signed(setup: Setup, q: Quantity) -> Quantity | None:

@@ -31,7 +31,7 @@ from freebody.study.steady.linearised import CLEARLY_STABLE, About, agrees, swin
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.stability import given_by_start, is_even, places_shown, rates_shown, signs_of
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import odd_part
 
 _STILL = 1e-6  # of the largest exponent: below that an imaginary part is one of differences

@@ -21,8 +21,8 @@ from freebody.study.answering.repeated import checked
 from freebody.study.setup import Setup
 from freebody.study.steady.turning import TurningAngle
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 

@@ -21,7 +21,7 @@ from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import moving, placed, unevenness
 from freebody.study.steady.motion import SteadyMotion, unknown_of
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 

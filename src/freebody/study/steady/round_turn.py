@@ -13,7 +13,8 @@ from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.brent import least_between
 from freebody.numeric.jets import Array
-from freebody.numeric.reference import Reference, Snapshot
+from freebody.numeric.reference import Reference
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at, holds

@@ -28,9 +28,9 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.steady.verdict import stable_if
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import determinant
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
 _TOLERANCE = 1e-7  # relative, of slopes by finite differences

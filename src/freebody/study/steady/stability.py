@@ -26,8 +26,8 @@ from freebody.study.steady.linear import Linear, linear_at_start
 from freebody.study.steady.linearised import agrees
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.verdict import stable_if
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.quadratic import roots as roots_of
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.routh import hurwitz, oscillating
 from freebody.symbolic.tidy import tidy
 from freebody.tolerances import ROUND_OFF

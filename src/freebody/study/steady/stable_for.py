@@ -18,7 +18,7 @@ from freebody.study.steady.linearised import CLEARLY_STABLE, About
 from freebody.study.steady.motion import SteadyMotion
 from freebody.study.steady.stability import given_by_start, signs_of
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 
 def stability(setup: Setup, *, is_so: bool) -> list[Formula]:

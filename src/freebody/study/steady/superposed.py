@@ -35,8 +35,8 @@ from freebody.study.setup import Setup
 from freebody.study.steady.drive import components, followed
 from freebody.symbolic.closure import explicit
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.time_terms import TimeTerms

@@ -25,9 +25,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import ZERO, Call, Expr, Symbol, evaluate
 from freebody.language.notation import Stated, compared, joined, reworded, to_python, to_text
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import without_square_roots
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy

@@ -20,7 +20,8 @@ from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
 from freebody.study.steady.motion import Solutions, SteadyMotion, unknown_of
 from freebody.symbolic.conditions import Condition, insisted
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import odd_part, without_square_roots
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.reduced import odd_part
 from freebody.symbolic.routh import without_implied
 from freebody.symbolic.signs import Sign, sign_of

@@ -25,7 +25,7 @@ import flint
 from freebody.errors import CannotAnswer
 from freebody.symbolic.decide.cells import TooLarge
 from freebody.symbolic.decide.picture import BallFunctions, CellDecomposition, is_made, sign_at
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, is_positive, sign_of, times
 
 _flint: Any = flint

@@ -22,7 +22,8 @@ import flint
 from freebody.errors import FormulaTooLong
 from freebody.language.expression import ELLIPTIC, LAMBERT
 from freebody.symbolic.decide.cells import Interval, Poly, Polynomials, TooLarge, points
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import is_positive
 
 _flint: Any = flint

@@ -12,7 +12,7 @@ from typing import Any
 import flint
 
 from freebody.symbolic.decide.picture import BallFunctions
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _flint: Any = flint
 _BITS = 256

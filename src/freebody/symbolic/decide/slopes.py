@@ -18,7 +18,7 @@ from typing import Any
 
 import flint
 
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 
 _flint: Any = flint
 _BITS = 160

@@ -14,9 +14,10 @@ from typing import ClassVar, Self
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 

@@ -27,8 +27,8 @@ from typing import Self
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 _MOST = 6  # degree of N

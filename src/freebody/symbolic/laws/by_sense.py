@@ -15,7 +15,6 @@ from typing import Self
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import (
     Farthest,
     FirstInstant,
@@ -28,6 +27,7 @@ from freebody.symbolic.laws.base import (
 )
 from freebody.symbolic.laws.damped import CriticallyDamped, Overdamped, Underdamped
 from freebody.symbolic.laws.oscillation import Oscillation
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 

@@ -14,9 +14,9 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.turns import wave_zeros
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 _Zero = tuple[Ratio, Ratio | None]  # a time, and its key

@@ -17,9 +17,10 @@ from collections.abc import Mapping
 from dataclasses import dataclass, field
 from typing import Self
 
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.laws.base import Farthest, Freely, MotionLaw
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.time_terms import TimeTerms
 
 

@@ -7,8 +7,8 @@ from functools import cached_property
 from typing import Self
 
 from freebody.symbolic.antiderivative import antiderivative
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import zeros_of

@@ -15,10 +15,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Self
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit
 from freebody.symbolic.laws.by_rate import ByRate, is_mixed, quotient_of
 from freebody.symbolic.laws.there_and_back import at_near, later, limit_behind
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 

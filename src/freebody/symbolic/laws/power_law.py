@@ -12,8 +12,8 @@ from dataclasses import dataclass
 from fractions import Fraction
 from typing import Self
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 _HALVES = [Fraction(n, 2) for n in range(-4, 9) if n not in (0, 2, 4)]  # exponents

@@ -13,10 +13,10 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Self
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
 from freebody.symbolic.laws.there_and_back import at_near, later, limit_behind
 from freebody.symbolic.laws.turns import growth_turns
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 _LATE = 10**8  # units of time after which 1/t counts as zero

@@ -9,10 +9,10 @@ from dataclasses import dataclass
 from typing import Self
 
 from freebody.symbolic.antiderivative import antiderivative
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import functions
 from freebody.symbolic.laws.base import Freely
 from freebody.symbolic.laws.in_time import InTime
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
 
 

@@ -8,9 +8,9 @@ from typing import Protocol
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Instants, LawInstant, Limit, MotionLaw
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 
 
 class _Turning(Protocol):

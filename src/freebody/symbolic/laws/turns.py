@@ -2,8 +2,8 @@
 
 from __future__ import annotations
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import MotionLaw, Need, Turn, unless_zero
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
 

@@ -5,8 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Self
 
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Farthest, Freely, Instants, LawInstant, Limit, MotionLaw
+from freebody.symbolic.ratio import Ratio
 
 
 @dataclass(frozen=True)

@@ -17,11 +17,11 @@ from functools import cached_property
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Instants, LawInstant, MotionLaw
 from freebody.symbolic.laws.uniform import UniformLaw
 from freebody.symbolic.model import SymbolicModel
 from freebody.symbolic.quadratic import roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import reals, solve_linear, without_root, zeros_of

@@ -14,7 +14,7 @@ from functools import cached_property
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.blocks import apart_from
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.first_integrals import FirstIntegrals, is_driven, staying_of
 from freebody.symbolic.laws.base import MotionLaw
 from freebody.symbolic.model import SymbolicModel
@@ -22,6 +22,7 @@ from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import ClosedFormMotion, CourseZero, LawMotion, UniformMotion
 from freebody.symbolic.phases.modes import ModalMotion
 from freebody.symbolic.quadratic import has_no_real_root, roots
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState
 from freebody.symbolic.unknowns import Coordinate
 from freebody.symbolic.zeros import reals, without_root, zeros_of

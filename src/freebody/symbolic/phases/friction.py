@@ -23,9 +23,9 @@ from freebody.language.expression import Expr, free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import AppliedLoad, ConstraintRow, DryFriction
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, determinant, solve
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 from freebody.system.system import System
 

@@ -11,10 +11,10 @@ from collections.abc import Iterator, Sequence
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.symbolic.coupled import CoupledMotion
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.laws.base import Instants, MotionLaw
 from freebody.symbolic.motion import SmoothMotion
 from freebody.symbolic.phases.course import CourseZero, MotionInTime, units_of, within_a_period
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 
 

@@ -21,8 +21,9 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing, Distance
 from freebody.measures.geometry import Direction, SpatialPose, Vector
 from freebody.model.elements import NonholonomicForm, RigidBody
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.geometry import ROTATIONS, DualGeometry, straight_tangent
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signed_field import SignedField
 from freebody.symbolic.unknowns import ModelUnknowns
 from freebody.system.system import System

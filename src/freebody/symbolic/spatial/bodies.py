@@ -25,9 +25,9 @@ from freebody.measures.geometry import GROUND, ZERO, Components, Direction, Poin
 from freebody.model.elements import Attitude, RigidBody, Rotation
 from freebody.model.rotations import UNIT, singular_pose
 from freebody.symbolic.bodies import Bodies, ElementMap, IsNegative, Parts
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import cos_sin
 from freebody.symbolic.geometry import ROTATIONS, AnyPose, FieldGeometry, Tangent, straight_tangent
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.spatial.tree import JointTree, RotationStep, TreeLink, tree_of
 from freebody.symbolic.unknowns import BODY_ANGLE, NAMED, POSITION, ModelUnknowns

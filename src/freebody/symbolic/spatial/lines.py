@@ -9,9 +9,9 @@ from freebody.measures.geometry import Point, Vector
 from freebody.symbolic.atoms import angle_with
 from freebody.symbolic.bodies import ElementMap
 from freebody.symbolic.elimination import Elimination, RowEquation
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.functions import sum_of_angles
 from freebody.symbolic.lines import AngleBy, Lines
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.samples import Samples
 from freebody.symbolic.unknowns import POSITION, TANGENT_LENGTH, ModelUnknowns
 from freebody.tolerances import ROUND_OFF

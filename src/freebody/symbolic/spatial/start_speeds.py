@@ -8,8 +8,8 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr
 from freebody.language.sentences import Message
 from freebody.measures.geometry import Vector
-from freebody.symbolic.field import Ratio
 from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.speeds import total_of
 from freebody.symbolic.start_speeds import StartSpeeds, WantedRates
 from freebody.symbolic.unknowns import Coordinate

@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Point
 from freebody.model.looks import Looks
-from freebody.model.names import did_you_mean
+from freebody.model.noting import did_you_mean
 from freebody.system.reading.sections import OF_DRAWINGS
 from freebody.system.reading.source import Source, known_keys
 

@@ -28,7 +28,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.sweeps.ensembles.nodes import Known, NodesOfField
 from freebody.study.sweeps.records.base import Seen, rate_of
-from freebody.symbolic.field import Ratio
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
 from freebody.system.system import System
 

@@ -17,8 +17,9 @@ from freebody.language.sentences import Message
 from freebody.numeric.engine.operations import ProgramNode
 from freebody.numeric.ensemble.copies import CopyGraph
 from freebody.numeric.kernels.operations import ARGUMENT, FUNCTIONS, SQRT
-from freebody.symbolic.field import Field, Ratio
+from freebody.symbolic.field import Field
 from freebody.symbolic.polynomials import Terms
+from freebody.symbolic.ratio import Ratio
 
 Known = Callable[[], ProgramNode]
 _Group = dict[tuple[tuple[int, int], ...], ProgramNode]  # coefficients by what moves
