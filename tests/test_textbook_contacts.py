@@ -43,6 +43,18 @@ connections:
 loads: {w: {gravity: g}}
 measures: {y: y of pile.P}
 """
+UNWINDING = """
+parameters: {m: 10 kg, r: 0.2 m, beta: 35 deg, mu: 0.15, d: 2 m, g: 9.81 m/s^2}
+bodies: {drum: {cylinder: {mass: m, radius: r}, at: [0, 0]}}
+ground:
+  points: {W: [r*sin(beta) - d*cos(beta), r*cos(beta) + d*sin(beta)]}
+  lines: {slope: {through: [-r*sin(beta), -r*cos(beta)], along: -beta}}
+connections:
+  slope: {contact: {between: [drum, slope], friction: mu, touching: true}}
+  cord: {string: {from: ground.W, to: wound on drum at top}}
+loads: {weight: {gravity: g}}
+measures: {s: travel of drum along -beta}
+"""
 
 
 @pytest.mark.parametrize(
@@ -59,6 +71,12 @@ measures: {y: y of pile.P}
         # it slips from c t = mu m g on, with m x'' = c (t - t1)
         (RISING_FORCE, "velocity of x at t = T", "c/(2*m)*(T - mu*m*g/c)**2", {}),
         (RISING_FORCE, "x at t = T", "c/(6*m)*(T - mu*m*g/c)**3", {}),
+        # the cord is parallel to the slope and holds the top still, so the foot slips at 2 v and x'' = r w':
+        # m x'' = m g sin b - T - F and m r^2/2 w' = (T - F) r with F = mu m g cos b
+        (UNWINDING, "acceleration of s", "2*g*(sin(beta) - 2*mu*cos(beta))/3", {"beta": 0.6, "mu": 0.15}),
+        (UNWINDING, "tension of cord", "m*g*(sin(beta) + mu*cos(beta))/3", {"beta": 0.6, "mu": 0.15}),
+        # it stays where the cord and friction carry half of m g sin b each
+        (UNWINDING, "least mu so that it stays at rest", "tan(beta)/2", {"beta": 0.6}),
         # both go on with m1 sqrt(2 g h)/(m1 + m2), and R - (m1 + m2) g stops them
         (PILE, "least y", "-m1**2*g*h/((m1 + m2)*(R - (m1 + m2)*g))", {}),
     ],

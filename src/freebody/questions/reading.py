@@ -61,11 +61,7 @@ from freebody.questions.turned_round import (
 )
 
 _ANYWHERE = "12.345"  # no place that means anything in a model
-_AS_FUNCTION = re.compile(
-    r"(?P<what>.+?),? (?:as (?:a )?function of|als Funktion (?:von|der|des)|in Abhängigkeit (?:von|der|des)) (?:the )?"
-    r"(?P<of>\w+) ?[?.]?",
-    re.IGNORECASE,
-)
+_AS_FUNCTION = re.compile(r"(?P<what>.+?) as a function of (?P<of>\w+)")
 KEYS_OF_QUESTIONS = ("find", "id", "when", "options", "key", "text", "points")
 
 
@@ -279,8 +275,7 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     text = beside_a_stop(names, text)
     function = _AS_FUNCTION.fullmatch(text)
     if function is not None and function["of"] in names.measures and when is None:
-        what, of = function["what"], function["of"]
-        return _as_function(names, text, what, of)
+        return _as_function(names, text, function["what"], function["of"])
 
     def read(words: str) -> Meant | None:
         return _complete(names, as_condition(names, words.rstrip(" ?!")), when)
@@ -290,10 +285,13 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     if meant is not None and len(names.problems) == n_before:
         return [(meant, as_condition(names, text))]
     del names.problems[n_before:]
+    from freebody.questions.spoken import in_terms_of
     from freebody.questions.spoken.naming import elements_of
     from freebody.questions.spoken.understanding import understood  # a tenth of what solving imports
     from freebody.questions.spoken.wanted_unit import told_in, without_units
 
+    if when is None and (spoken := in_terms_of.as_function(names, text)) is not None:
+        return _as_function(names, text, *spoken)
     bare, units = without_units(text, elements_of(names).exact)
     if len(units) != 1:
         found = [(meant, as_condition(names, words)) for meant, words in understood(names, text, read)]

@@ -305,28 +305,53 @@ class Elimination:
         return None
 
     def _line_along(self, equations: list[RowEquation]) -> EliminationStep | None:
-        """A line in a direction that stands still, as a string along the guide of a body."""
+        """A line in a direction that stands still, as a string along the guide of a body, or along the slope down which
+        the drum rolls or slides that it is wound on."""
         for line, x, y, used in self._open_lines(equations):
-            own = {line.length, line.angle}
-            if not line.offset.is_zero() or own & (self.field.ingredients(x) | self.field.ingredients(y)):
+            if {line.length, line.angle} & (self.field.ingredients(x) | self.field.ingredients(y)):
                 continue
-            if x.is_zero() or y.is_zero():
-                length, angle = self.straight(Vector(x, y), line.offset)
-                return used, {line.length: length, line.angle: angle}
-            slope = self.field.lowest_terms(x / y)
-            if self._is_still(slope):
-                return used, self._inclined(line, slope, y)
+            for along in [Vector(x, y)] if line.offset.is_zero() else self._from_touching_points(line, x, y):
+                if (found := self._along_itself(line, along)) is not None:
+                    return used, found
         return None
+
+    def _from_touching_points(self, line: TangentPair, x: Ratio, y: Ratio) -> Iterator[Vector[Ratio]]:
+        """A tangent to a round body from where it touches, if it has the direction in which that body goes: what is
+        left of (x, y) without offset n(d) is along d, the one sense of it or the other."""
+        for index in sorted((x.generators() | y.generators()) & self.unknowns.keys()):
+            in_x, in_y = (self._linear(part, index) for part in (x, y))
+            scales = x.denominator(), y.denominator()
+            if in_x is None or in_y is None or not all(map(self._is_still, (in_x[0], in_y[0], *scales))):
+                continue
+            slope = self.field.lowest_terms(in_x[0] * scales[1] / (in_y[0] * scales[0]))
+            along = Vector(slope.numerator(), slope.denominator())  # of which the size is short: (cos, sin) has 1
+            size, _angle = self.straight(along, self.field.zero)
+            for sense in (self.field.one, -self.field.one):
+                offset = sense * line.offset / size
+                way = Vector(*map(self.field.lowest_terms, (x + offset * along.y, y - offset * along.x)))
+                ahead = sense * (way.x * along.x + way.y * along.y)
+                if self.straight(Vector(ahead, self.field.zero), self.field.zero)[0] == ahead:  # else behind the circle
+                    yield way
+
+    def _along_itself(self, line: TangentPair, way: Vector[Ratio]) -> dict[int, Ratio] | None:
+        """Length and angle of a line whose direction stands still; None if it turns, or has no length."""
+        if way.x.is_zero() and way.y.is_zero():
+            return None
+        if way.x.is_zero() or way.y.is_zero():
+            length, angle = self.straight(way, self.field.zero)
+            return {line.length: length, line.angle: angle}
+        slope = self.field.lowest_terms(way.x / way.y)
+        return self._inclined(line, slope, way.y) if self._is_still(slope) else None
 
     def _inclined(self, line: TangentPair, slope: Ratio, y: Ratio) -> dict[int, Ratio]:
         """(x, y) = y (slope, 1): a length that is a multiple of |y|, which the root of x^2 + y^2 would not show."""
-        size, angle = self.straight(Vector(slope, self.field.one), self.field.zero)
         rise, _upright = self.straight(Vector(self.field.zero, y), self.field.zero)
         if rise not in (y, -y):  # its sign is not known
             size, angle = self.straight(Vector(slope * y, y), self.field.zero)
             return {line.length: size, line.angle: angle}
-        length = self.field.lowest_terms(size * rise)
-        return {line.length: length, line.angle: angle if rise == y else angle + self.field.pi}
+        one = self.field.one if rise == y else -self.field.one
+        size, angle = self.straight(Vector(slope * one, one), self.field.zero)
+        return {line.length: self.field.lowest_terms(size * rise), line.angle: angle}
 
     def _explicit_line(self, equations: list[RowEquation]) -> EliminationStep | None:
         """A line whose length changes, by l = sqrt(x^2 + y^2 - offset^2) in the coordinates that stay."""

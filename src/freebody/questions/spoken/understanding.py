@@ -10,7 +10,7 @@ from typing import TYPE_CHECKING
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken import joining
+from freebody.questions.spoken import in_terms_of, joining
 from freebody.questions.spoken.accounting import loses_quantity
 from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
 from freebody.questions.spoken.at_distances import at_a_distance
@@ -137,6 +137,9 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return forced
     if (exists := where_there_is_one(names, text)) is not None:
         names.problem(exists, "find")
+        return []
+    if (nothing := in_terms_of.misspelt(names, text)) is not None:
+        names.problem(nothing, "find")
         return []
     if mean := over_a_turn(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, mean, read)

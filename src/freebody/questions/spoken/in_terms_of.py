@@ -1,0 +1,45 @@
+"""In terms of what an answer is wanted: a measure, as a function of which it is asked, or what is given anyway.
+
+What is given (a function of m and L, of the angle) says nothing of its own and is passed over by the rules of each
+language; a name that the model has not would be passed over with it, and the answer be another one than was meant.
+"""
+
+from __future__ import annotations
+
+import difflib
+import re
+from typing import TYPE_CHECKING
+
+from freebody.language.sentences import Message
+from freebody.model.noting import did_you_mean
+from freebody.questions.spoken.lexicon import contexts, languages
+from freebody.questions.spoken.naming import elements_of
+from freebody.questions.spoken.suggesting import not_understood
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
+
+_LONGEST_SYMBOL = 6  # letters of a name that is no word: thetta
+
+
+def as_function(names: Names, text: str) -> tuple[str, str] | None:
+    """What is asked as a function of a measure in the words of a language, and that measure."""
+    found = _in_terms_of(text)
+    return None if found is None or found["of"] not in names.measures else (found["what"], found["of"])
+
+
+def misspelt(names: Names, text: str) -> Message | None:
+    """What is said of a text that asks for a function of one thing that neither the model nor a language has."""
+    found = _in_terms_of(text)
+    if found is None or not not_understood(names.parameters, elements_of(names), of := found["of"]):
+        return None
+    known = {*names.measures, *names.states, *names.parameters}
+    if len(of) > _LONGEST_SYMBOL and not difflib.get_close_matches(of, known):
+        return None  # a word that nothing is known of: the usual readings tell it
+    hint = did_you_mean(of, known)
+    return Message("{name} is not a measure: nothing can be told as a function of it.{hint}", name=of, hint=hint)
+
+
+def _in_terms_of(text: str) -> re.Match[str] | None:
+    each = (re.fullmatch(contexts(language)["as_function"], text, re.IGNORECASE) for language in languages())
+    return next((found for found in each if found is not None), None)
