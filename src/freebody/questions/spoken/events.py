@@ -489,7 +489,7 @@ def _hangs_by_half(names: Names, who: str, other: str) -> Groups:
 def _slackens(names: Names, who: str, other: str) -> Groups:
     who, other = (other, "") if other in names.loads and not who else (who, other)
     yield [f"{who or 'it'} goes slack"] if not other else []
-    if who in lookup.springs(names) and not other and not lookup.rests(names):  # else it may start relaxed
+    if who in lookup.springs(names) and not other:
         yield [f"force in {who} = 0"]
 
 
