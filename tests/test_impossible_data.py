@@ -30,6 +30,17 @@ REFUSED = {
         "connections: {c: {rolling: {body: w, on: ground.road}}}",
         "It could be assembled with w at [0 m, 0.1 m]",
     ),
+    "a wheel that hangs under its road": (
+        "ground: {lines: {road: {along: right}}}\n"
+        "bodies: {w: {disk: {mass: 1 kg, radius: 0.1 m}, at: [0, -0.1 m]}}\n"
+        "connections: {c: {rolling: {body: w, on: ground.road}}}",
+        "c takes below: true, or the line the other direction",
+    ),
+    "a wheel on a body that has no line": (
+        "bodies: {w: {disk: {mass: 1 kg, radius: 0.1 m}}, top: {particle: {mass: 1 kg}}}\n"
+        "connections: {c: {rolling: {body: w, on: top}}}",
+        "top: {lines: {face: {through: [0, 0], along: right}}}, and write on: top.face",
+    ),
     "a bead beside its rail": (
         "parameters: {a: 1 1/m}\nbodies: {b: {particle: {mass: 1 kg}, at: [1 m, 3 m]}}\n"
         "connections: {r: {curved_rail: {point: b, y: a*x^2}}}",

@@ -279,6 +279,14 @@ connections:
             )
             return []
         known = [f"{b.name}.{name}" for b in names.bodies.values() for name in (*b.lines, *b.planes, *b.sides)]
+        if body is not None and not names.space:
+            flat = Message(
+                "{name} has no line to roll on. Give it one, e.g. {name}: {{lines: {{face: {{through: [0, 0], along: "
+                "right}}}}}}, and write on: {name}.face",
+                name=body.name,
+            )
+            names.problem(flat, "on")
+            return []
         told = Message(
             "{name} is neither a plane, a line nor a round body.{hint} For a plane: ground: {{planes: {{floor: "
             "{{normal: up}}}}}}"

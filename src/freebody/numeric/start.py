@@ -16,7 +16,7 @@ import numpy as np
 
 from freebody.budgets import allowed
 from freebody.errors import BudgetExhausted, CannotAnswer
-from freebody.language.expression import ZERO, substitute
+from freebody.language.expression import ZERO, negate, substitute
 from freebody.language.sentences import Message, listed
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
@@ -200,7 +200,8 @@ def _assembled_whole(reference: NumericSystem, extra: Wanted, guess: Array | Non
             raise _does_not_close(why) from error
         if isinstance(error, BudgetExhausted) or is_trial or extra:
             raise
-        told = _with_places_that_fit(reference, error.args[0])
+        told = _on_the_side_that_fits(reference, error.args[0])
+        told = _with_places_that_fit(reference, told) if told is error.args[0] else told
         told = _with_values_that_fit(reference, told) if told is error.args[0] else told
         raise CannotAnswer(told) from error
     if q is not guess:
@@ -267,6 +268,28 @@ def _not_found(
             )
         )
     return CannotAnswer(Message("the start cannot be assembled: {why}", why=at_best))
+
+
+def _on_the_side_that_fits(reference: NumericSystem, told: str) -> str:
+    """The same, and which round body is put on the other side of its line than the one on which it is said to be."""
+    rows = reference.system.constraint_rows
+    for k, row in enumerate(rows):
+        if row.reaction != "normal force" or row.target is None or not isinstance(row.measure, Displacement):
+            continue
+        other = replace(row, target=negate(row.target), sign=-row.sign)
+        turned = replace(reference.system, constraint_rows=[*rows[:k], other, *rows[k + 1 :]])
+        try:
+            assembled(type(reference)(turned, reference.frame.values), (), None, N_QUICK)
+        except CannotAnswer:
+            continue
+        return Message(
+            "{told}. It is put on the other side of its line than {connection} has it: {connection} takes below: "
+            "{below}, or the line the other direction",
+            told=told,
+            connection=row.connection,
+            below="true" if row.sign > 0 else "false",
+        )
+    return told
 
 
 def _with_places_that_fit(reference: NumericSystem, told: str) -> str:

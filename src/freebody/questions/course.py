@@ -291,7 +291,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         once = read_transition(names, again["what"], path)
         counts = once is not None and (once.kind == "touches" or (once.rests and not once.stays))
         return replace(once, text=text, count=ORDINALS[again["nth"]]) if once is not None and counts else None
-    two_sided = names.loads.keys() - {p.load for p in names.applied_loads if p.one_sided is not None}  # they end nowhere
+    one_sided = {p.load for p in names.applied_loads if p.one_sided is not None}
     for pattern, kind in _TRANSITIONS:
         found = pattern.match(text.strip())
         if found is None:
@@ -316,7 +316,11 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             if rests:
                 _refuse_rolling(names, (), path)
             return Transition(kind, (), text, rests=rests, stays=stays)
-        if name in names.measures or name in two_sided or (kind == "opens" and _runs_off(names, name)):
+        if (
+            name in names.measures
+            or name in names.loads.keys() - one_sided
+            or (kind == "opens" and _runs_off(names, name))
+        ):
             return None
         of, on = connections_of(names, name, path), found.groupdict().get("on")
         if on is not None:
