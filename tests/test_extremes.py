@@ -510,3 +510,26 @@ def test_an_inequality_until_an_event_is_so_all_the_way() -> None:
     assert all_the_way.value == pytest.approx(20 / 9.81, rel=1e-3)
     there = posed(text, "largest m so that vertical reaction of hinge <= S when th = 60 deg")
     assert there.value == pytest.approx(16 * 20 / 9.81, rel=1e-2)
+
+
+def test_what_dies_away_is_fastest_back_after_its_second_turn() -> None:
+    """phi' = -phi0 w0^2/w exp(-d t) sin(w t) turns at tan(w t) = w/d, and half a period later exp(-pi d/w) times as
+    far on the other side."""
+    door = fb.System.from_text("""
+parameters: {m: 30 kg, b: 0.9 m, k: 25 N m, c: 10 N m s}
+bodies: {door: {rod: {mass: m, length: b}}}
+connections: {hinge: {pin: [ground.H, door.start]}}
+measures: {phi: angle of door}
+loads:
+  spring: {torsional_spring: {between: [ground, door], stiffness: k}}
+  damper: {torsional_damper: {between: [ground, door], damping: c}}
+start: {phi: 80 deg, rate(phi): 0}
+""")
+    (answer,) = door.solve("greatest angular velocity of door").answers
+    inertia = 30 * 0.9**2 / 3
+    d, w0 = 10 / (2 * inertia), math.sqrt(25 / inertia)
+    w = math.sqrt(w0**2 - d**2)
+    first = math.radians(80) * w0 * math.exp(-d / w * math.atan(w / d))
+    assert answer.expression is not None, answer.reason
+    assert answer.value == pytest.approx(first * math.exp(-math.pi * d / w), rel=1e-12)
+    assert [note for note in answer.notes if "its size is more" in note and f"{first:.4f}" in note]

@@ -15,10 +15,12 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer, NeverHappens
 from freebody.language.sentences import Message
+from freebody.present.lines import number_text
 from freebody.questions.base import Quantity
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.in_size import more_in_size
 from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked, held_throughout, taken_throughout
 from freebody.study.setup import Setup
@@ -108,7 +110,18 @@ def find(setup: Setup, question: str, of: Quantity, damped: DampedQuantity, side
     if evidence is None:
         needed = ", ".join(broken(setup, conditions))
         raise NotHere(Message("the motion is another one at the model's own values: that needs {x}", x=needed))
-    return Finding(values if len(values) > 1 else next(iter(values)), evidence, conditions)
+    notes = _by_sign(setup, of, limit.time) if [*sides] == [1] and not damped.is_size else []
+    return Finding(values if len(values) > 1 else next(iter(values)), evidence, conditions, notes)
+
+
+def _by_sign(setup: Setup, of: Quantity, settled: Ratio) -> list[str]:
+    """That the greatest value is not that of the greatest size, where that is so at the given numbers."""
+    if not setup.has_values:
+        return []
+    draw = setup.draws[0]
+    (until,) = element_at(setup, (settled,), draw, draw.start())
+    low, high = extremes_between(setup, draw, of, 0.0, until)
+    return [more_in_size(f"{number_text(-low)} {of.unit}".rstrip())] if -low > high else []
 
 
 def _size(law: Damped) -> Reached:

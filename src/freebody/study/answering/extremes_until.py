@@ -14,12 +14,12 @@ from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, br
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.extent import LONGEST, kept_on_the_way
 from freebody.study.answering.finding import Finding, NotHere
+from freebody.study.answering.in_size import more_in_size
 from freebody.study.answering.motion_extremes import along_until
 from freebody.study.answering.motion_values import extremes_between
 from freebody.study.answering.repeated import checked
 from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
-from freebody.study.steady.extremes import more_in_size
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.reached import Reached
 from freebody.tolerances import ROUND_OFF

@@ -21,6 +21,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.finding import Cases, Elements, Finding
+from freebody.study.answering.in_size import more_in_size
 from freebody.study.answering.motion_extremes import along
 from freebody.study.answering.motion_extremes import find as over_motion
 from freebody.study.answering.sizes import is_size
@@ -85,10 +86,6 @@ def extremes(setup: Setup, question: Question, q: Extremes, *, is_of_size: bool 
     each = [] if way is None else [(e.value, search.beside(e, every, way)) for e in every]
     needed = search.needed([e for e in (least, largest) if way is None or e is (least if way > 0 else largest)]) + kept
     return Finding(element, evidence, needed, notes, cases=Cases(search.settled + kept, each) if each else None)
-
-
-def more_in_size(size: str) -> str:
-    return Message("greatest by its sign; where it is negative its size is more, up to {x}", x=size)
 
 
 def waves_of(setup: Setup, question: Question, q: Extremes, x: Ratio) -> Superposed | None:

@@ -30,11 +30,11 @@ from freebody.questions.steady import extremes_in
 from freebody.study.answering.answer import Answer, Evidence, made
 from freebody.study.answering.chain import ChainBuilder, inputs
 from freebody.study.answering.finding import NO_FORM
+from freebody.study.answering.in_size import more_in_size
 from freebody.study.answering.named_formulas import Chain, NamedFormula
 from freebody.study.setup import Setup
 from freebody.study.steady.chain_in_balls import ChainInBalls
 from freebody.study.steady.drive import FreeToTurn, turned_by_drive
-from freebody.study.steady.extremes import more_in_size
 from freebody.study.steady.round_turn import N_POSES, DrawnTurn
 
 _N_LOOKS = 720  # poses in which the chain is looked at

@@ -14,7 +14,17 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import ClassVar, Self
 
-from freebody.symbolic.laws.base import SETTLED, Farthest, Freely, Instants, LawInstant, Limit, MotionLaw, Need
+from freebody.symbolic.laws.base import (
+    SETTLED,
+    Farthest,
+    Freely,
+    Instants,
+    LawInstant,
+    Limit,
+    MotionLaw,
+    Need,
+    first,
+)
 from freebody.symbolic.laws.turns import wave_zeros
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign
@@ -58,11 +68,24 @@ class Damped(MotionLaw):
         if side == sense:
             return Farthest(None, needs)
         if self.swings:
-            return None  # where it has turned it may get farther back than the start, or not
+            return self._farthest_back(side, needs)
         if self.x0.is_zero():  # it comes back to the centre and stays there
             return Farthest(self.q0, needs)
         begins, more = self.side_of(self.x0)
         return Farthest(self.q0, (*needs, *more)) if begins == side else Farthest(None, (*needs, *more), is_limit=True)
+
+    def _farthest_back(self, side: int, needs: tuple[Need, ...]) -> Farthest | None:
+        """On the side from which it first goes away: its second turn, or the start, whichever is farther."""
+        instants, more = self.rates(self.u0.field.zero) or ((), [])
+        turn = first(self.model, instants)
+        if turn is None:
+            return None
+        place = self.turned_after(turn.instant, 1)
+        beyond = self.model.field.lowest_terms(side * (place - self.q0))
+        needs = (*needs, *more, *turn.conditions)
+        if self.is_negative(beyond):
+            return Farthest(self.q0, (*needs, (-beyond, ">=")))
+        return Farthest(place, (*needs, (beyond, ">=")))
 
     @property
     def first_acceleration(self) -> Ratio:
