@@ -186,7 +186,20 @@ class SmoothMotion(MotionCycles):
         instants = None if law is None else law.places(at)
         if instants is not None:
             return self._first(c, c.name, *instants)
-        return self._place_by_energy(c, at, event)
+        try:
+            return self._place_by_energy(c, at, event)
+        except NeverHappens:
+            raise
+        except CannotAnswer as error:
+            if law is None:
+                raise
+            why = Message(
+                "{x} has a closed form in the time (ask for {x} at t = ...), but the equation for the time of '{event}' "
+                "has no closed solution",
+                x=c.name,
+                event=event.text,
+            )
+            raise CannotAnswer(why) from error
 
     def _on_the_way(self, c: Coordinate, places: EventPlaces) -> tuple[Ratio, list[Need]]:
         """The first place of a coordinate at which something that is not linear in it has a value, and what that needs;
