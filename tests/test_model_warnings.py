@@ -542,6 +542,19 @@ def test_what_hangs_under_its_line_is_told(direction: str, n: int) -> None:
     assert not [w for w in fb.System.from_text(pressed).warnings if w.kind == "under a line"]
 
 
+def test_a_thin_beam_that_lies_on_a_corner_does_not_hang_under_its_other_side() -> None:
+    beam = fb.System.from_text("""
+parameters: {L: 4 m, h: 1.5 m, a: 2 m, g: 9.81 m/s^2}
+ground: {points: {E: [a, h]}, lines: {floor: {along: right}}}
+bodies: {beam: {rod: {mass: 30 kg, length: L}, angle: atan(h/a), at: {start: [0, 0]}}}
+connections:
+  floor: {contact: {between: [beam.start, ground.floor], friction: 0.3, touching: true}}
+  edge: {contact: {between: [beam, ground.E], friction: 0, touching: true}}
+loads: {w: {gravity: g}}
+""")
+    assert not [w for w in beam.warnings if w.kind == "under a line"]
+
+
 LED = """
 parameters: {m: 2 kg, M: 5 kg, a: 3 m/s^2, mu: 0.5, g: 9.81 m/s^2}
 bodies:

@@ -194,8 +194,8 @@ class SmoothMotion(MotionCycles):
             if law is None:
                 raise
             why = Message(
-                "{x} has a closed form in the time (ask for {x} at t = ...), but the equation for the time of '{event}' "
-                "has no closed solution",
+                "{x} has a closed form in the time (ask for {x} at t = ...), but the equation for the time of "
+                "'{event}' has no closed solution",
                 x=c.name,
                 event=event.text,
             )

@@ -45,9 +45,11 @@ class UnderALine(WarningKind, name="under a line"):
         with suppress(CannotAnswer):
             there = reference.snapshot(q, np.zeros_like(q))
             greatest = float(np.abs(there.accelerations / reference.sizes.unit_moves).max(initial=0.0))
+            least = _PART * greatest * reference.sizes.length
+            off = {b for b in touching if b.row.sign * there.acceleration(b.row.measure) > least}
+            lying = {b.row.connection for b in touching if b not in off}  # on one side of a thin body, on none else
             for bound in touching:
-                size = greatest * reference.sizes.length
-                if bound.row.sign * there.acceleration(bound.row.measure) > _PART * size:
+                if bound in off and bound.row.connection not in lying:
                     yield from self._told(system, bound)
 
     def _told(self, system: System, bound: UnilateralConstraint) -> Iterator[ModelWarning]:
