@@ -542,6 +542,31 @@ def test_what_hangs_under_its_line_is_told(direction: str, n: int) -> None:
     assert not [w for w in fb.System.from_text(pressed).warnings if w.kind == "under a line"]
 
 
+STRUCK = """
+parameters: {M: 3 kg, L: 1.2 m, m: 0.4 kg, v: 8 m/s, h: 0.9 m, e: 0.6, g: 9.81 m/s^2}
+bodies:
+  rod: {rod: {mass: M, length: L}, angle: -90 deg, at: {start: [0, 0]}}
+  ball: {particle: {mass: m}, at: [0, -h], velocity: [v, 0]}
+connections:
+  O: {pin: [ground.O, rod.start]}
+  hit: {contact: {between: [ball, rod], restitution: e, touching: true}}
+loads: {w: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("model", "kinds"),
+    [
+        (STRUCK, ["struck while touching"]),
+        (STRUCK.replace(", touching: true", ""), []),
+        (STRUCK.replace(", velocity: [v, 0]", "").replace(" v: 8 m/s,", ""), []),
+    ],
+)
+def test_what_comes_up_to_a_body_that_it_is_said_to_touch_is_told(model: str, kinds: list[str]) -> None:
+    """A ball before a hanging rod; the rod is pinned, and does not tip about the ball."""
+    assert [w.kind for w in fb.System.from_text(model).warnings] == kinds
+
+
 def test_a_thin_beam_that_lies_on_a_corner_does_not_hang_under_its_other_side() -> None:
     beam = fb.System.from_text("""
 parameters: {L: 4 m, h: 1.5 m, a: 2 m, g: 9.81 m/s^2}

@@ -535,3 +535,20 @@ measures: {phi: angle of a}
 """
     reason = the(ask(gears, "equilibrium of phi")).reason
     assert "in every pose or in none" in reason, reason
+
+
+def test_what_measures_are_made_of_are_the_coordinates_before_an_expression_in_them() -> None:
+    """Two floors of one mass and one stiffness: w^2 = (3 -+ sqrt 5)/2 k/m, and the upper one goes (1 + sqrt 5)/2 as
+    far as the lower in the first mode."""
+    system = fb.System.from_text("""
+parameters: {m: 2000 kg, k: 800 kN/m}
+bodies: {f1: {block: {mass: m}}, f2: {block: {mass: m}}}
+connections: {s1: {slider: {body: f1, along: right}}, s2: {slider: {body: f2, along: right}}}
+measures: {u1: x of f1, u2: x of f2, d: u2 - u1}
+loads: {c1: {law: {measure: u1, force: -k*u1}}, c2: {law: {measure: d, force: -k*d}}}
+""")
+    frequencies, shapes = system.solve(["natural frequencies", "mode shapes"]).answers
+    assert frequencies.value == pytest.approx(
+        [20 * math.sqrt((3 - math.sqrt(5)) / 2), 20 * math.sqrt((3 + math.sqrt(5)) / 2)]
+    )
+    assert shapes.value == pytest.approx([1, (1 + math.sqrt(5)) / 2, 1, (1 - math.sqrt(5)) / 2])

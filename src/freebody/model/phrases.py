@@ -404,6 +404,8 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         found = phrase.pattern.match(text)
         if found:
             return phrase.read(names, found.groupdict(), path)
+    if _is_expression_of_measures(names, text):
+        return composed(names, text, *path)
     words = text.split()
     if words[:2] == ["turn", "of"] and words[2:] and words[2] in names.connections:
         names.unknown(
@@ -448,6 +450,15 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         *path,
     )
     return None
+
+
+def _is_expression_of_measures(names: Names, text: str) -> bool:
+    """Whether a text is an expression, as `x2 - x1`, whose names are measures and parameters."""
+    try:
+        used = free_symbols(names.parsed(text))
+    except ExpressionError:
+        return False
+    return bool(used & names.measures.keys()) and used <= names.measures.keys() | names.parameters.keys()
 
 
 def composed(names: Names, text: str, *path: str | int) -> Measure | None:

@@ -14,6 +14,7 @@ from dataclasses import dataclass
 from freebody.errors import CannotAnswer
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.symbolic.bodies import Bodies
@@ -146,8 +147,10 @@ class CoordinateChoice:
     def _candidates(self) -> list[Candidate]:
         """The measures that the user names, then those that connections offer."""
         measures = self._of_use()
-        # wanted in the one order of measures; one that is at an extreme at the start is no coordinate there: last
-        wanted = sorted(measures, key=lambda n: any(n in sample.still for sample in self._samples.points))
+        # wanted in the one order of measures, those before which they are made of; one that is at an extreme at the
+        # start is no coordinate there: last
+        points = self._samples.points
+        wanted = sorted(measures, key=lambda n: (any(n in s.still for s in points), isinstance(measures[n], Composed)))
         turned_by = set(self._bodies.angle_names)
         found = [Candidate(n, m, (NAMED, -wanted.index(n))) for n, m in measures.items() if n not in turned_by]
         named = set(measures.values())

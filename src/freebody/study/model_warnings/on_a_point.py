@@ -7,6 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 
 from freebody.connections.contact import Contact
+from freebody.connections.planar import Planar
 from freebody.language.sentences import Message
 from freebody.loads.gravity import Gravity
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
@@ -24,6 +25,7 @@ class OnAPoint(WarningKind, name="on a point"):
             if (
                 turning.get(particle, True)
                 or not turning.get(other, False)
+                or _is_held(model, other)
                 or not self._is_below(model, particle, other)
             ):
                 continue
@@ -44,3 +46,11 @@ class OnAPoint(WarningKind, name="on a point"):
             (model.slope(p.measure, at)[columns[1]] for p in weights if other in p.measure.bodies()), np.zeros(n)
         )
         return bool((at.q[columns[0]] - at.q[columns[1]]) @ weight > 0.0)
+
+
+def _is_held(model: Opened, body: str) -> bool:
+    """Whether a body hangs on a pin or runs in a guide, besides what it lies on: then it does not tip about a point."""
+    system = model.system
+    names = {name for name, spec in system.connections.items() if not isinstance(spec, (Contact, Planar))}
+    rows = (row for row in system.constraint_rows if row.connection in names and not row.unilateral)
+    return any(body in row.measure.bodies() for row in rows)
