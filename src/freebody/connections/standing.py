@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import Call, Expr, add, evaluate, multiply, negate
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import GROUND, ONE, RIGHT, UP, ZERO, Direction, Point
+from freebody.measures.geometry import AXES, GROUND, ONE, ZERO, Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.tolerances import ROUND_OFF
 
@@ -71,16 +71,17 @@ def _of_fixed(body: RigidBody, point: Point, along: Direction) -> Expr | None:
     return along_of(moved, along)
 
 
-def place_of(names: Names, point: Point) -> tuple[float, float] | None:
+def place_of(names: Names, point: Point) -> tuple[float, ...] | None:
     """Where a point is at the start in numbers, if the model says so: by its body's `at`, or by what holds it."""
     body = names.known(point.body)
     if body.start.at is not None and not body.fixed:
         name, place = body.start.at
         if body.points[name] != point.offset:
             return None
-        return number_of(names, place[0]), number_of(names, place[1])
-    x, y = stands_at(names, point, RIGHT), stands_at(names, point, UP)
-    return None if x is None or y is None else (number_of(names, x), number_of(names, y))
+        return tuple(number_of(names, x) for x in place)
+    along = [stands_at(names, point, axis) for axis in (AXES if names.space else AXES[:2])]
+    found = tuple(number_of(names, x) for x in along if x is not None)
+    return found if len(found) == len(along) else None
 
 
 def starts_at(names: Names, point: Point, along: Direction) -> Expr | None:

@@ -277,7 +277,7 @@ def _on_the_side_that_fits(reference: NumericSystem, told: str) -> str:
         if row.reaction != "normal force" or row.target is None or not isinstance(row.measure, Displacement):
             continue
         other = replace(row, target=negate(row.target), sign=-row.sign)
-        turned = replace(reference.system, constraint_rows=[*rows[:k], other, *rows[k + 1 :]])
+        turned = replace(reference.system, constraint_rows=(*rows[:k], other, *rows[k + 1 :]))
         try:
             assembled(type(reference)(turned, reference.frame.values), (), None, N_QUICK)
         except CannotAnswer:

@@ -349,7 +349,7 @@ def _heading(
     return None if a is None or b is None else (b[0] - a[0], b[1] - a[1])
 
 
-def where_at_start(names: Names, node: StringNode) -> tuple[float, float] | None:
+def where_at_start(names: Names, node: StringNode) -> tuple[float, ...] | None:
     """Where a place of a string is in numbers: as it is put, else as it is held, else as it is guessed to be; a drum is
     at the origin as long as nobody has put it elsewhere."""
     found = node.place or place_of(names, node.point) or _started(names, node.point)
