@@ -15,9 +15,11 @@ import scipy.special
 from numpy.typing import NDArray
 
 import freebody as fb
+from conftest import assert_same_function
 from example_files import document, plain
 from freebody.errors import ModelError
 from freebody.language.document import Document
+from freebody.language.notation import to_python
 from freebody.numeric.engine.course import Status, Trajectory
 from freebody.numeric.rotation import from_quaternion, matrix, rotation_vector
 from freebody.study.simulation.simulate import Simulation
@@ -907,3 +909,32 @@ def test_a_string_over_two_small_pulleys_has_a_length_of_each_part_that_moves() 
     [anywhere] = fb.System.from_text(TWO_PULLEYS).solve("tension of rope").answers
     assert "defect" not in (anywhere.reason or "")  # the routes agree at any pose
     assert anywhere.value == pytest.approx(answer.value, rel=1e-9)
+
+
+def test_a_plate_on_six_bars_that_is_put_by_its_corner() -> None:
+    """With w = sqrt(b^2 + h^2): about the vertical through L, s6 a b/w = b H, and across, s5 = -s6. About x through K,
+    s3 + P + (s5 + s6) h/w = 0; about the edge L N, s1 + s3 + s6 h/w = 0. The plate is put by a corner, over a foot of
+    the same x and y, and is not turned."""
+    plate = fb.System.from_text("""
+space: true
+parameters: {a: 1.2 m, b: 0.8 m, h: 1 m, P: 200 N, H: 50 N}
+ground: {points: {A: [0, 0, -h], B: [a, 0, -h], C: [0, b, -h]}}
+bodies:
+  top:
+    box: {size: [a, b, 0.02 m]}
+    at: {K: [0, 0, 0]}
+    points: {K: [-a/2, -b/2, 0], L: [a/2, -b/2, 0], M: [-a/2, b/2, 0], N: [a/2, b/2, 0]}
+connections:
+  s1: {link: [ground.A, top.K]}
+  s2: {link: [ground.B, top.L]}
+  s3: {link: [ground.C, top.M]}
+  s4: {link: [ground.A, top.L]}
+  s5: {link: [ground.B, top.N]}
+  s6: {link: [ground.A, top.M]}
+loads:
+  P: {force: {at: top.N, along: -z, magnitude: P}}
+  H: {force: {at: top.N, along: x, magnitude: H}}
+""")
+    first, fifth = plate.solve(["force in s1", "force in s5"]).answers
+    assert_same_function(to_python(first.expression), "P - h*H/a", {})
+    assert_same_function(to_python(fifth.expression), "-H*sqrt(b**2 + h**2)/a", {})

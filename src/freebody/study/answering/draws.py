@@ -82,13 +82,23 @@ class Draw:
 
     def guess_for(self, reference: Reference) -> Array:
         """Its pose for other numbers of the parameters: bodies are turned as they are here, whatever principal axes
-        they have there, which may change places from one mass to the next."""
+        they have there, which may change places from one mass to the next, and the points that are put somewhere are
+        there."""
         q = self.q.copy()
-        for body in reference.system.moving if reference.system.space else ():
-            own = list(reference.columns(body.name)[3:])
-            if own:
-                axes = matrix(q[own]) @ self.reference.frame.principal[body.name].T
-                q[own] = rotation_vector(axes @ reference.frame.principal[body.name])
+        for body in reference.system.moving:
+            columns = list(reference.columns(body.name))
+            if reference.system.space:
+                own = columns[3:]
+                axes = matrix(q[own]) @ self.reference.frame.principal[body.name].T if own else np.eye(3)
+                if own:
+                    q[own] = rotation_vector(axes @ reference.frame.principal[body.name])
+            else:
+                c, s = (f(q[columns[2]]) if body.turns else f(0.0) for f in (math.cos, math.sin))
+                axes = np.array([[c, -s], [s, c]])
+            if body.start.at is not None:
+                point, place = body.start.at
+                arm, there = (np.array([reference.number(x) for x in of]) for of in (body.points[point], place))
+                q[columns[: len(there)]] = there - axes @ arm
         return q
 
     def seen(self, snapshot: Snapshot) -> Snapshot:

@@ -30,7 +30,10 @@ class SpatialGivenStart(GivenStart):
 
     def of_coordinate(self, c: Coordinate) -> Ratio | None:
         measure = self.unknowns.measures.get(c.index)
-        return None if measure is None else self._value(measure)
+        if measure is None:
+            return None
+        value = self._value(measure)
+        return self._unturned(measure) if value is None else value
 
     def _value(self, measure: Measure) -> Ratio | None:
         """A measure at the start, if the places and rotations of its bodies that it takes are given."""
