@@ -20,6 +20,7 @@ from freebody.questions.reading_when import is_of_start
 from freebody.questions.rest import RestLimit
 from freebody.questions.whether import Whether
 from freebody.study.answering import evidence as proof
+from freebody.study.answering import resting_start
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.beside_the_start import asked_at_start, with_start
@@ -194,7 +195,11 @@ def _in_one_law(system: System, questions: Sequence[Question], setup: Setup | No
     try:
         model = setup.model
     except CannotAnswer as error:
-        return _in_numbers(setup, questions, str(error))
+        found = _in_numbers(setup, questions, str(error))
+        held = resting_start.resting(setup)
+        if held is None:
+            return found
+        return replace(found, answers=resting_start.with_start(found.answers, questions, held, _in_smooth_motion))
     answers = with_plain_numbers(system, model, [_in_smooth_motion(setup, q) for q in questions])
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
 
