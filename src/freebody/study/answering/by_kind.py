@@ -206,6 +206,9 @@ class FindingByKind:
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
+        from freebody.study.small_motion.ask import about_mean
+
+        self._look(about_mean(self.setup))
         return about_rest.equilibrium(self.setup, self.question, q)
 
     @_found.register(RestValue)
