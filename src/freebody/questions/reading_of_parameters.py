@@ -12,6 +12,7 @@ from typing import Literal
 
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter
 from freebody.model.names import Names
 from freebody.questions.base import NAME
@@ -126,6 +127,10 @@ def _as_force(names: Names, relation: str) -> str:
         return relation
     if found["pulls"] and any(row.unilateral for row in rows):
         return f"{found['of']} stays taut"
+    if not any(row.is_driven for row in names.constraint_rows) and not any(
+        body.mass != ZERO for body in names.bodies.values() if body.name != GROUND
+    ):  # where nothing has mass the pose is all
+        return f"tension of {found['of']} {'>=' if found['pulls'] else '<='} 0"
     return f"tension of {found['of']} stays {'above' if found['pulls'] else 'below'} 0"
 
 

@@ -34,7 +34,7 @@ def looked_at(setup: Setup) -> Setup:
 
 
 def about_mean(setup: Setup) -> Setup:
-    """The system in which loads that swing have the mean that they swing about: squares of sines by the double angle."""
+    """The system in which loads that swing show the mean about which they do: squares of sines by the double angle."""
     if swing_of(setup.model) is not None:
         return setup
     return _swinging(with_double_angles(setup.system)) or setup
