@@ -291,6 +291,28 @@ def test_a_bracket_round_a_post_is_not_inside_it() -> None:
     assert float(system.solve("least x so that it stays at rest")["q1"].value) == pytest.approx(0.3)
 
 
+STRUCK_LATER = """
+parameters: {M: 2 kg, L: 1 m, m: 0.5 kg, b: 0.9 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {rod: {rod: {mass: M, length: L}, at: {start: O}, angle: 0 deg}, ball: {particle: {mass: m}, at: [0, -b]}}
+connections:
+  O: {pin: [ground.O, rod.start]}
+  table: {slider: {body: ball, along: right}}
+  hit: {contact: {body: ball, on: rod, restitution: 0.6}}
+loads: {weight: {gravity: g}}
+"""
+ON_A_TABLE = """
+space: {up: z}
+parameters: {J: 2 kg m^2, m: 5 kg, L: 0.8 m, g: 9.81 m/s^2}
+bodies: {table: {body: {inertia: [J, J, J]}}, arm: {rod: {mass: m, length: L}}}
+connections:
+  axle: {revolute: {first: ground.O, second: table, about: z}}
+  shoulder: {revolute: {first: table, second: arm.start, about: y}}
+loads: {weight: {gravity: g}}
+measures: {psi: angle of table about z, theta: angle of arm about y AGAINST}
+"""
+
+
 @pytest.mark.parametrize(
     ("text", "kind", "says"),
     [
@@ -351,6 +373,7 @@ def test_a_bracket_round_a_post_is_not_inside_it() -> None:
         (MOVABLE.replace("WAY", "over"), "loose pulley", "path: [..., under lower, ...]"),
         (BESIDE.replace("PLACE", "bar.end"), "guide goes along", "act between cart and bar"),
         (RUBBED.replace("LAW", "-M*sign(rate(phi))"), "friction as a law", "{dry_friction: {measure: phi, force: M}}"),
+        (ON_A_TABLE.replace("AGAINST", ""), "hinge turned away", "angle of arm about ... relative to table"),
     ],
 )
 def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says: str) -> None:
@@ -391,6 +414,8 @@ def test_what_is_unlikely_is_told_once_with_its_cure(text: str, kind: str, says:
         CAM.replace("LIFT", "h/2*(1 - cos(phi))"),
         WEDGE.replace("NEAR", ", near: {at: [1 m, 1 m]}"),
         RACK.replace("GUIDES", "guide: {slider: {body: bar, along: right}}"),
+        ON_A_TABLE.replace("AGAINST", "relative to table"),
+        STRUCK_LATER,
     ],
 )
 def test_what_is_meant_has_no_warning(text: str) -> None:

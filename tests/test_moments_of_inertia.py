@@ -165,3 +165,26 @@ loads: {weight: {gravity: g}}
     answer = fb.System.from_text(text).solve("moment of inertia of wheel").answers[0]
     assert answer.value == pytest.approx(0.01)
     assert answer.conditions == ("for all positive parameters",)
+
+
+ON_A_SHAFT = """
+space: true
+parameters: {m: 2 kg, L: 0.3 m, beta: 60 deg, a: 0.1 m}
+bodies:
+  shaft: {body: {}, points: {P: [a, 0, 0]}}
+  bar: {rod: {mass: m, length: L}}
+connections:
+  axle: {revolute: {first: ground.O, second: shaft, about: x}}
+  hub: {weld: {first: shaft.P, second: bar.start, turned: beta about z}}
+"""
+
+
+def test_about_the_axis_of_the_shaft_on_which_it_sits() -> None:
+    system = fb.System.from_text(ON_A_SHAFT)
+    about_shaft, about_x = system.solve(
+        ["moment of inertia of bar about shaft.x", "moment of inertia of bar about x"]
+    ).answers
+    assert about_shaft.value == pytest.approx(2 * 0.3**2 * 0.75 / 3, rel=1e-9)  # m (L sin beta)^2/3
+    assert about_x.value == pytest.approx(2 * 0.3**2 * 0.75 / 12, rel=1e-9)
+    assert "through the mass centre of bar" in str(about_x.notes[0])
+    assert not about_shaft.notes

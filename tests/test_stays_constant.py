@@ -67,7 +67,7 @@ def test_the_value_is_that_of_the_balance_towards_the_centre(name: str) -> None:
     own = {p.name: p.value or 0.0 for p in fb.System.from_text(text).parameters.values()}
     numbers = [float(evaluate(e, own, FLOAT_FUNCTIONS)) for e in (answer.expression, parse(formula))]
     assert math.isclose(*numbers, rel_tol=1e-9), answer.expression
-    assert any("all accelerations are zero" in note or "nothing moves" in note for note in answer.notes)
+    assert any("all rates stay as they are" in note or "nothing moves" in note for note in answer.notes)
 
 
 def test_the_simulation_stays() -> None:

@@ -72,3 +72,13 @@ def test_the_pin_of_a_clamp_and_its_pose_elsewhere():
     lever = lever.replace("link: {link: [ground.D, handle.E]}", "link: {link: [ground.D, handle.E, 46.0977 mm]}")
     found = posed(lever, "x of arm.T when p = 5 deg")  # where nothing with mass moves the pose alone is meant
     assert found.value == pytest.approx(-0.08 * math.cos(math.radians(5)) - 0.02 * math.sin(math.radians(5)))
+
+
+def test_without_mass_a_press_stays_in_the_pose_that_the_file_gives():
+    """Its knee would rest where tan p = 2 Q/F; what is asked is Q in the pose that is drawn, not Q by itself."""
+    light = PRESS.replace("mass: 1 kg", "mass: 0").replace("P: 500 N, p0: 80 deg", "alpha: 10 deg, P: N")
+    light = light.replace("p: p0", "p: 90 deg - alpha")
+    balance = "F/(2*tan(alpha))"
+    is_formula(light, "force of work in equilibrium", balance)
+    is_formula(light, "size of reaction of O in equilibrium", "F/(2*sin(alpha))")
+    is_formula(light, "value of alpha for which force of work in equilibrium = 10*F", "atan(1/20)")

@@ -548,7 +548,7 @@ start: {x1: 0, x2: 0}
     ("find", "words"),
     [  # the first mass stands in the way of no frequency: only the one that is pushed has a frequency at which it rests
         ("value of W for which steady amplitude of x1 = 0", "no value of W makes that so: k₂·F₀ would have to be zero"),
-        ("value of F0 for which acceleration of first = 1 m/s^2", "a vector has no one value"),
+        ("value of F0 for which acceleration of first = 1 m/s^2", "that does not depend on F0"),
     ],
 )
 def test_what_no_value_does_is_told_by_what_stands_in_the_way(find: str, words: str) -> None:
@@ -562,3 +562,23 @@ def test_the_mass_that_is_pushed_rests_at_the_frequency_of_the_rest() -> None:
     answer = fb.System.from_text(FLOORS).solve("value of W for which steady amplitude of x2 = 0").answers[0]
     assert answer.expression is not None
     assert_same_function(to_python(answer.expression), "sqrt((k1 + k2)/m1)", {})
+
+
+BOOM = """
+space: {up: z}
+parameters: {L: 4 m, a: 2 m, h: 6 m, G: 900 N, P: 500 N}
+ground: {points: {O: [0, 0, 0], C: [0, a, h], D: [0, -a, h]}}
+bodies: {boom: {rod: {length: L, mass: 0}, at: {start: [0, 0, 0], end: [L, 0, 0]}}}
+connections:
+  O: {spherical: [ground.O, boom.start]}
+  c1: {link: {first: ground.C, second: boom.end}}
+  c2: {link: {first: ground.D, second: boom.end}}
+loads:
+  weight: {force: {at: boom.center, along: -z, magnitude: G}}
+  load: {force: {at: boom.end, along: [0, 1, -2], magnitude: P}}
+"""
+
+
+def test_where_nothing_has_mass_a_bar_stays_in_tension_by_its_force_alone() -> None:
+    """Upwards (G/2 + 2 p)/h comes from both bars, p = P/sqrt(5), and sideways p/a: (G/2 + 2 p)/h >= p/a."""
+    is_formula(BOOM, "largest P so that c1 stays taut", "sqrt(5)*G*a/(2*(h - 2*a))")

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 import difflib
 import re
-from collections.abc import Mapping, Sequence
+from collections.abc import Generator, Mapping, Sequence
+from contextlib import contextmanager
 from copy import copy
 from dataclasses import replace
 from pathlib import Path
@@ -263,6 +264,16 @@ class Names(Formulas):
         self.counts: set[str] = set()  # parameters that are numbers of teeth
         self.usual_questions: tuple[str, ...] = ()  # what the file asks, in the words of the grammar
         self.frames: dict[str, tuple[str, Columns]] = {}  # the body each is fixed in, and its axes there
+        self.wants_number = False  # a question that needs one number is being read
+
+    @contextmanager
+    def one_number(self, *, wanted: bool = True) -> Generator[None]:
+        """Inside, the velocity and the acceleration of what is guided along a line of the ground are those along it."""
+        before, self.wants_number = self.wants_number, wanted
+        try:
+            yield
+        finally:
+            self.wants_number = before
 
     def for_questions(self) -> Names:
         """The same names for what is asked later, whose problems and points of the ground are its own."""

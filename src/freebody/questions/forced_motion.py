@@ -125,7 +125,8 @@ class ResonanceFrequency(Forced, kind="resonance frequency"):
 # -- words ------------------------------------------------------------------------------------
 def _swinging(names: Names, text: str | None, path: Path) -> Quantity | None:
     """A quantity that swings: a property of an instant."""
-    of = None if text is None else read_calculation(names, text, path)
+    with names.one_number():
+        of = None if text is None else read_calculation(names, text, path)
     if of is None or of.scope == "instant":
         return of
     names.problem(

@@ -150,6 +150,18 @@ class MomentOfInertia(OfMasses, kind="moment of inertia"):
         beside = dot(arm, axis)
         return own + state.scalar(b.mass) * (dot(arm, arm) - beside * beside)
 
+    def remark(self, system: Described) -> str:
+        """Through which point the axis goes, where its direction alone is named, and not of a body's own axis."""
+        if self.about is not None or self.along is None or not isinstance(self.body, str):
+            return ""
+        if self.along.body == self.body or not self.along.name:
+            return ""
+        return Message(
+            "the axis is that through the mass centre of {body}; for another one: about {axis} through POINT",
+            body=self.body,
+            axis=self.along.name,
+        )
+
     def sentence(self, system: Described) -> Sentence | None:
         if self.along is not None and not self.along.name:
             return None
@@ -262,7 +274,11 @@ def _axis(names: Names, group: Group, text: str, path: Path) -> tuple[Point | No
         return line.through, line.direction
     is_center = re.fullmatch(rf"(?:the |its |their )?{CENTER}", where) is not None
     through = names.point(where, *path) if where and not is_center else None
-    return through, names.direction(words, *path) if words else None
+    along = names.direction(words, *path) if words else None
+    owner = None if along is None or where else names.bodies.get(along.body)
+    if owner is not None and owner.name != GROUND and not is_among(owner.name, group):
+        through = owner.point(owner.default_point)  # the axis of a shaft, for what sits on it
+    return through, along
 
 
 def _of_joint(names: Names, group: Group, joint: Joining) -> tuple[Point | None, Direction | None]:

@@ -6,6 +6,7 @@ import re
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
+from freebody.connections.standing import ground_guide_of
 from freebody.language.expression import Call, Expr, Symbol
 from freebody.language.sentences import NOTHING, Argument, Message, Sentence, listed
 from freebody.language.units import DIMENSIONLESS, LENGTH, TIME, Dimension
@@ -334,10 +335,19 @@ def _motion(names: Names, found: Found, path: Path) -> Quantity | None:
             return None
         point = names.point(of, *path)
         along = None if found["along"] is None else names.direction(found["along"], *path)
-        return OfPoint(point, order, along, basis=read_basis(names, found["basis"], path))
+        basis = read_basis(names, found["basis"], path)
+        if names.wants_number and order and along is None and basis is None:
+            along = _guide(names, point)
+        return OfPoint(point, order, along, basis=basis)
     text = of if found["along"] is None else f"{of} along {found['along']}"
     measure = read_measure(names, text, *path)
     return None if measure is None else OfMeasure(measure, order, text)
+
+
+def _guide(names: Names, point: Point) -> Direction | None:
+    """The direction of the ground along which a point is guided: that of its body, which does not turn."""
+    body = names.bodies[point.body]
+    return None if body.fixed else ground_guide_of(names, body.name, turning=not body.turns)
 
 
 def _is_end(names: Names, value: object) -> bool:

@@ -294,6 +294,11 @@ def _is_quantity(names: Names, phrase: str) -> bool:
     return any(p.pattern.match(phrase) for p in PHRASES) or any(f.pattern.match(phrase) for f in FORMS)
 
 
+def is_between_bars(operands: Operands, k: int) -> bool:
+    """Whether an operand stands alone between bars."""
+    return _bars_about(operands, k) is not None
+
+
 def between_bars(names: Names, operands: Operands, k: int, quantity: Quantity) -> Quantity:
     """A quantity, of which the size is meant where it stands alone between bars."""
     return quantity if _bars_about(operands, k) is None else quantity.sized(space=names.space)

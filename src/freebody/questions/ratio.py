@@ -200,7 +200,8 @@ def _compared(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked("ratio of QUANTITY to QUANTITY", r"ratio of (?P<top>.+) to (?P<bottom>.+)", rank=65)
 def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
-    top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
+    with names.one_number():
+        top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
     if top is None or bottom is None:
         return None
     if {top.scope, bottom.scope}.isdisjoint(OF_MOTIONS):

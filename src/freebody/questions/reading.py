@@ -40,6 +40,7 @@ from freebody.questions.operands import (
     between_bars,
     event_at_end,
     extreme_until,
+    is_between_bars,
     operands_of,
     ratio_as_quotient,
     without_bars,
@@ -146,7 +147,8 @@ def read_calculation(names: Names, text: str, path: Path) -> Quantity | None:
         return read_quantity(names, text, path)
     read: dict[int, Quantity] = {}
     for k, operand in operands.phrases.items():
-        quantity = read_quantity(names, operand.phrase, path)
+        with names.one_number(wanted=not is_between_bars(operands, k)):
+            quantity = read_quantity(names, operand.phrase, path)
         if quantity is None:
             return None
         read[k] = quantity
@@ -370,7 +372,8 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
         return read_turned_round(_asked, _reaching, names, turned["parameter"], turned["relation"], when, end)
     over = OVER_PARAMETER.match(phrase)
     if over is not None and over["parameter"] in names.parameters:
-        return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
+        with names.one_number():
+            return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
     limit = LIMIT.match(phrase)
     if (
         limit is not None
@@ -434,7 +437,8 @@ def _calculated(
     for k, operand in operands.phrases.items():
         if TIME_ALONE.fullmatch(operand.phrase):
             break
-        quantity = read_quantity(names, operand.phrase, ("find",))
+        with names.one_number(wanted=not is_between_bars(operands, k)):
+            quantity = read_quantity(names, operand.phrase, ("find",))
         if quantity is None:
             return None
         read[k] = between_bars(names, operands, k, quantity)

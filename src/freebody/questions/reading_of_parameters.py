@@ -12,6 +12,7 @@ from typing import Literal
 
 from freebody.language.expression import ZERO, Expr
 from freebody.language.sentences import Message
+from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter
 from freebody.model.names import Names
 from freebody.questions.base import NAME
@@ -58,6 +59,13 @@ def read_turned_round(
 ) -> Meant | None:
     """For which value of a parameter an equation holds, or for which values an inequality does. end: of these values
     the one that is asked for."""
+    with names.one_number():
+        return _turned_round(read, reaching, names, name, relation, when, end)
+
+
+def _turned_round(
+    read: Read, reaching: Reaching, names: Names, name: str, relation: str, when: object, end: End
+) -> Meant | None:
     parameter = names.parameters.get(name)
     if parameter is None and name in names.measures and not end and when is None and inequality_of(relation) is None:
         return read(names, f"{name} when {relation}", None)  # of what moves it is the value at an event
@@ -119,6 +127,10 @@ def _as_force(names: Names, relation: str) -> str:
         return relation
     if found["pulls"] and any(row.unilateral for row in rows):
         return f"{found['of']} stays taut"
+    if not any(row.is_driven for row in names.constraint_rows) and not any(
+        body.mass != ZERO for body in names.bodies.values() if body.name != GROUND
+    ):  # where nothing has mass the pose is all
+        return f"tension of {found['of']} {'>=' if found['pulls'] else '<='} 0"
     return f"tension of {found['of']} stays {'above' if found['pulls'] else 'below'} 0"
 
 
@@ -160,8 +172,8 @@ def _value(read: Read, names: Names, parameter: Parameter, relation: str, when: 
     elif right != "zero":
         target = compared(names, right, asked.quantity.dimension, "find")
     of = asked.quantity
-    if target == ZERO and of.scope == "instant":
-        of = of.sized(space=names.space)  # a vector vanishes with its size
+    if of.scope == "instant":
+        of = of.sized(space=names.space)  # a vector vanishes with its size, and is as large as it
     kind = ValueForOnTheWay if of.scope == "course" else ValueFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
     return replace(asked, quantity=kind(name, of, target, parameter.dimension, unit, left + timed))

@@ -13,14 +13,16 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import dataclass, field
+from fractions import Fraction
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.field import Generator
+from freebody.symbolic.field import Field, Generator
 from freebody.symbolic.functions import functions
 from freebody.symbolic.model import SymbolicModel
+from freebody.symbolic.numbers_with_roots import rational_root
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 
@@ -225,8 +227,28 @@ class _RootOfNothing(CannotAnswer):
 
 
 def derivative_by(model: SymbolicModel, x: Ratio, index: int) -> Ratio:
-    """The derivative of an element by a parameter, in all functions that stand in it: that of x(P + d) at d = 0."""
+    """The derivative of an element by a parameter, in all functions that stand in it: that of x(P + d) at d = 0, sizes
+    by |u|' = u u'/|u|, since u(P + d) would be of one sign."""
     f = model.field
+    sizes = [g for g in sorted(x.generators()) if _is_size(f, g) and index in f.ingredients(f.radicand(g))]
+    if sizes:
+        g, held = sizes[0], f.generator(Generator(Symbol("@size"), "parameter", True), f.zero, key=("size", sizes[0]))
+        along = f.partial(x, g) * derivative_by(model, f.radicand(g), index) / (2 * f.variable(g))
+        rest = derivative_by(model, f.substitute(x, {g: held}), index)
+        return f.lowest_terms(along + f.substitute(rest, {f.index(held): f.variable(g)}))
     near = Approach(model, index, f.variable(index))
     d, moved = near.small, near.put(x)
     return f.lowest_terms(f.follow(f.derivative(moved, f.index(d)), {f.index(d): f.zero}))
+
+
+def _is_size(f: Field, g: int) -> bool:
+    """Whether a generator is the root of a square, |u|."""
+    if f.generators[g].kind != "root" or not f.generators[g].made_of:
+        return False
+    square = f.radicand(g)
+    unit, factors = f.factor(square.num)
+    return (
+        square.den is None
+        and rational_root(Fraction(unit)) is not None
+        and all(exponent % 2 == 0 for _base, exponent in factors)
+    )

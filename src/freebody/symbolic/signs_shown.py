@@ -23,12 +23,16 @@ from freebody.language.expression import (
     power,
 )
 from freebody.symbolic.decimals_shown import decimals_of_root
+from freebody.symbolic.polynomials import square_part
 
 
 def root_shown(inside: Expr) -> Expr:
     """The root of an expression; that of a square is a size."""
     if isinstance(inside, PowerOf) and inside.exponent == number(2):
         return Call("abs", inside.base)
+    if isinstance(inside, Number) and inside.value > 0 and inside.value.denominator == 1:
+        whole, free = square_part(inside.value.numerator)
+        return multiply(number(whole), Call("sqrt", number(free))) if free > 1 else number(whole)
     outside, inside = decimals_of_root(inside)
     return multiply(number(outside), Call("sqrt", inside))
 

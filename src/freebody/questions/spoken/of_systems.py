@@ -160,6 +160,11 @@ def _of_coordinate(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names if name not in names.parameters]  # the speed Omega at which it resonates
     if quantity == "steady amplitude" and not lookup.is_forced(names):
         return
+    pace = [name for _, name in rest.names if name in names.parameters]
+    if quantity == "resonance frequency" and pace:  # the speed n, or that of a car on a wavy road
+        for group in _of_coordinate(names, "steady amplitude", rest.without("name", *pace)):
+            yield [f"value of {name} for which {text} is largest" for text in group for name in pace]
+        return
     if not of and quantity in lookup.FORCED and rest.only("name", *SILENT):
         driven = driving.driven(names)  # an angle that goes round evenly does not swing
         yield [f"{quantity} of {name}" for name in names.measures if name not in driven]

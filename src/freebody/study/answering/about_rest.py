@@ -32,6 +32,7 @@ from freebody.symbolic.equilibrium import (
     find_equilibrium,
     lies_in_family,
 )
+from freebody.symbolic.linearised import stand_still, swing_of
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
@@ -350,7 +351,8 @@ def needs_of_rest(setup: Setup, rest: ClosedFormRest, clear: str = ">=") -> list
     """What an equilibrium needs: that it exists, and that what the formulas take to be positive is so there, what
     is to pull pulls, what is to touch presses, what is open does not reach beyond its limit; about an equilibrium
     that is to swing it has room (clear: >)."""
-    state = StateOfRest(setup.model, rest.values)
+    mean = {} if swing_of(setup.model) is None else stand_still(setup.model)  # of what swings
+    state = StateOfRest(setup.model, rest.values | mean)
     holding = setup.holding(state, with_contacts=bool(setup.system.applied_loads))
     return [*rest.exists, *holding, *setup.clearances(state, clear)]
 

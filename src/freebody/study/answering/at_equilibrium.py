@@ -217,14 +217,14 @@ def unrest(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) ->
         if not is_driven(setup, v):
             return float(np.abs(still.accelerations).max(initial=0.0))
         return max((abs(still.acceleration(measure)) for measure, _value in places), default=0.0)
-    seen = [draw.seen(draw.reference.snapshot(*resting(draw, places, t), t)) for t in times]
+    seen = [seen_at_rest(draw, *resting(draw, places, t), t) for t in times]
     means = [sum(s.acceleration(measure) for s in seen) / len(seen) for measure, _value in places]
     return max(map(abs, means), default=0.0)
 
 
-def seen_at_rest(draw: Draw, q: Array, v: Array) -> Snapshot:
+def seen_at_rest(draw: Draw, q: Array, v: Array, t: float = 0.0) -> Snapshot:
     """An instant at rest; where what has no mass could move, as the balance of its forces."""
-    there = draw.reference.snapshot(q, v)
+    there = draw.reference.snapshot(q, v, t)
     try:
         seen = draw.seen(there)
         _ = seen.accelerations
@@ -232,7 +232,7 @@ def seen_at_rest(draw: Draw, q: Array, v: Array) -> Snapshot:
     except WithoutInertia:
         if v.any():
             raise
-        return Balanced(draw.reference, there.geometry, q, v, 0.0)
+        return Balanced(draw.reference, there.geometry, q, v, t)
 
 
 def small_motions_at(setup: Setup, draw: Draw, places: Sequence[tuple[Measure, float]]) -> SmallMotion:

@@ -206,14 +206,21 @@ class FindingByKind:
 
     @_found.register(Equilibrium)
     def _equilibrium(self, q: Equilibrium) -> Finding:
+        from freebody.study.small_motion.ask import about_mean
+
+        self._look(about_mean(self.setup))
         return about_rest.equilibrium(self.setup, self.question, q)
 
     @_found.register(RestValue)
     def _value_at_rest(self, q: RestValue) -> Finding:
+        # without mass nothing leaves the pose of the start, where an open load balances the others
+        is_posed = self.model.dynamics.moves_no_mass and q.of.kinematic_order is None
+        if is_posed and (found := self._balanced(q.of)) is not None:
+            return found
         try:
             return about_rest.value(self.setup, self.question, q)
         except CannotAnswer:
-            if (found := self._balanced(q.of)) is None:
+            if is_posed or (found := self._balanced(q.of)) is None:
                 raise
             return found
 

@@ -20,7 +20,7 @@ from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
 from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import OfSmallMotion, SmallOscillations
+from freebody.questions.small_motion import OfSmallMotion, RestValue, SmallOscillations
 from freebody.study.answering import about_rest
 from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
 from freebody.study.answering.at_events import FindingAtEvents
@@ -270,7 +270,7 @@ class QuestionSolver(FindingAtEvents):
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
-            is_elsewhere = q.of.scope == "instant" and formula.setup is not setup
+            is_elsewhere = formula.setup is not setup and (q.of.scope == "instant" or isinstance(q.of, RestValue))
             # over a turn that of the motion without its drive, at rest that of the pose with the load that balances
             setup = formula.setup if is_of_turn or is_elsewhere else setup
             roots = _roots(q.of, found.element)

@@ -40,6 +40,7 @@ _TWELFTHS = (2, 3, 4, 1, 5, 0)  # of pi: angles of the first quadrant
 _OF_INSTANTS = ("coordinate", "speed", "acceleration", "time")  # kinds of symbols
 _LINEARISED = 1e-5  # relative: what is found by a numerical linearisation
 _BESIDE = 0.02  # of the value: beside it the quantity is less
+_STEEP = 1.5  # times as large a quarter as far from a pole; 4 times at a simple one
 
 
 @dataclass(frozen=True)
@@ -59,6 +60,14 @@ class _Monotone:
             return None
         end, begin = up[0][1].value, down[0][0].value
         return end if end is not None and begin is not None and end == begin else None
+
+    def poles(self, draw: Draw, formula: Formula, index: int) -> list[Ratio]:
+        """The values towards which it grows without bound from either side: there its divisor vanishes."""
+        up, down = self.rises.intervals(draw), self.falls.intervals(draw)
+        found = [end.value for _begin, end in up for begin, _end in down if end.value is not None and end == begin]
+        assert isinstance(formula.element, Ratio)
+        below = formula.element.denominator()
+        return [x for x in found if below.field.follow(below, {index: x}).is_zero()] if self.sign > 0 else []
 
 
 def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Finding:
@@ -86,6 +95,8 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
         sign=1 if wanted.end == "largest" else -1,
     )
     own = setup.draws[0]
+    if len(formulas) == 1 and (poles := monotone.poles(own, formulas[0], index)):
+        return _without_bound(setup, question, formulas[0], monotone, poles, index)
     place = monotone.summit(own)
     if place is None:
         raise CannotAnswer(_no_summit(monotone, own, wanted.parameter))
@@ -108,6 +119,32 @@ def find_extremal(setup: Setup, question: Question, formulas: Sequence[Formula])
     return Finding(
         element, evidence, [*conditions, *real(element)], notes, has_value=setup.has_values, is_complete=True
     )
+
+
+def _without_bound(
+    setup: Setup, question: Question, formula: Formula, monotone: _Monotone, poles: Sequence[Ratio], index: int
+) -> Finding:
+    """Where the quantity grows without bound, as an amplitude does in resonance without damping."""
+    wanted = question.quantity.wanted
+    assert wanted is not None
+    if not wanted.asks_place:
+        shown = [compared(Symbol(wanted.parameter), "=", tidy(place)) for place in poles]
+        raise CannotAnswer(Message("it grows without bound towards {places}", places=", ".join(shown)))
+    conditions = list[Condition]()
+    for place in poles:
+        away = [c for c in formula.needed if not (c.relation == "!=" and _vanishes(c, place, index))]
+        own = _conditions(setup, wanted, replace(formula, needed=away), place, index, may_bend=False)
+        conditions += [c for c in (*own, *real(place)) if c not in conditions]
+    evidence = _evidence_beside(setup, question, formula, monotone, poles, conditions)
+    notes: list[str] = [Message("it grows without bound there")]
+    if setup.system.parameters[wanted.parameter].value is not None:
+        notes.append(Message("the number given for {name} is not used", name=wanted.parameter))
+    element = poles[0] if len(poles) == 1 else tuple(poles)
+    return Finding(element, evidence, conditions, notes, has_value=setup.has_values, is_complete=True)
+
+
+def _vanishes(c: Condition, place: Ratio, index: int) -> bool:
+    return c.element.field.follow(c.element, {index: place}).is_zero()
 
 
 def _masses(setup: Setup, index: int) -> list[Condition]:
@@ -168,11 +205,13 @@ def _no_summit(monotone: _Monotone, own: Draw, name: str) -> Message:
     return Message("it rises and falls in several parts of the range of {name}: which counts is not decided", name=name)
 
 
-def _conditions(setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, index: int) -> list[Condition]:
+def _conditions(
+    setup: Setup, wanted: Wanted, formula: Formula, place: Ratio, index: int, *, may_bend: bool = True
+) -> list[Condition]:
     field = setup.model.field
     needed = [replace(c, element=field.lowest_terms(field.follow(c.element, {index: place}))) for c in formula.needed]
     untrue = CannotAnswer(Message("the formula is not true where it would be largest or least"))
-    bends = _bends(setup, wanted, formula, place, index)
+    bends = _bends(setup, wanted, formula, place, index) if may_bend else []
     return insisted(
         [*domain_of(setup.system.parameters[wanted.parameter], place), *real(place), *needed, *bends], untrue
     )
@@ -240,3 +279,39 @@ def _evidence(
         check.compare(draw, exact, top, lambda: magnitude(dimension, made.draw.seen(made.draw.start())))
 
     return check.gather(enumerate(setup.draw_stream()), compare).evidence()
+
+
+def _evidence_beside(
+    setup: Setup,
+    question: Question,
+    formula: Formula,
+    monotone: _Monotone,
+    poles: Sequence[Ratio],
+    conditions: Sequence[Condition],
+) -> Evidence:
+    """At every draw the same poles come out; beside each the quantity by the numeric route is as the formula, and grows
+    towards it from either side."""
+    wanted = question.quantity.wanted
+    assert wanted is not None
+    of, name = wanted.of, wanted.parameter
+    index = setup.model.field.index(setup.model.parameters[name])
+    route = Message("values beside it put in for the parameter, each by the numeric route")
+    check = CrossCheck(question.text, route, MOTION_TOLERANCE if wanted.of.is_of_state else _LINEARISED)
+
+    def compare(draw: Draw) -> None:
+        start = draw.start()
+        if not all(holds(setup, c, draw, start) for c in conditions):
+            return
+        if monotone.poles(draw, formula, index) != list(poles):
+            raise CannotAnswer(Message("which ends count depends on more than could be told in formulas"))
+        for at in element_at(setup, tuple(poles), draw, start):
+            for way in (_BESIDE, -_BESIDE):
+                values = [draw.values | {name: at * (1 + part * way)} for part in (0.25, 1.0)]
+                near, far = (draw.with_values(v, setup.system) for v in values)
+                found = [as_parts(number_at(setup, of, question.event, one))[0] for one in (near, far)]
+                if not found[0] > _STEEP * found[1]:
+                    raise CannotAnswer(Message("the numeric route does not confirm that it is largest or least there"))
+                assert isinstance(formula.element, Ratio)
+                check.compare(draw, element_at(setup, formula.element, near, near.start()), found[0])
+
+    return check.gather(setup.draw_stream(), compare).evidence()

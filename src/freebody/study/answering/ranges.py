@@ -36,7 +36,7 @@ from freebody.study.setup import N_MORE, Setup
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.parameter_roots import solutions
 from freebody.symbolic.ratio import Ratio
-from freebody.symbolic.signs import sign_of
+from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.validity import MOVING
 from freebody.symbolic.zeros import zeros_of
@@ -110,7 +110,7 @@ class RangeSearch(TruthInNumbers):
             return
         equation, _one_side = without_roots(x, self.index)
         for base, _exponent in f.factor(equation.num)[1]:
-            if self.index not in f.ingredients(base) or _has_one_sign(base):
+            if self.index not in f.ingredients(base) or _has_one_sign(base, self.index):
                 continue
             places = zeros_of(self.model, base, self, quadratic=True)
             places = places or [values[self.index] for values in solutions(f, base, self.index)]
@@ -459,9 +459,18 @@ class RangeSearch(TruthInNumbers):
         return insisted(needs, CannotAnswer(Message("where that holds has ends for which no closed form was found")))
 
 
-def _has_one_sign(x: Ratio) -> bool:
-    """Whether an element vanishes nowhere."""
-    return sign_of(x).is_strict
+def _has_one_sign(x: Ratio, index: int) -> bool:
+    """Whether an element vanishes for no value of a parameter P: a P^2 + b P + c, or the same of P^2, where
+    b^2 < 4 a c."""
+    if sign_of(x).is_strict:
+        return True
+    powers = x.coefficients(index) if index in x.generators() else []
+    is_even = len(powers) == 5 and powers[1].is_zero() and powers[3].is_zero()
+    powers = powers[::2] if is_even else powers
+    if len(powers) != 3 or any(index in x.field.ingredients(part) for part in powers):
+        return False
+    c, b, a = powers
+    return sign_of(b * b - 4 * a * c) is Sign.NEGATIVE
 
 
 def _near_ends(a: float, b: float, places: Sequence[float]) -> Iterator[float]:

@@ -45,7 +45,9 @@ def check_stays(setup: Setup, q: Staying) -> str:
     if not moving:
         return Message("then nothing moves")
     names = ", ".join(c.name for c in moving)
-    return Message("then all accelerations are zero, now and later: none depends on {names}", names=names)
+    return Message(
+        "then all rates stay as they are at the start: no acceleration of a coordinate depends on {names}", names=names
+    )
 
 
 def _vanishes_with(x: Ratio, wanted: Ratio) -> bool:

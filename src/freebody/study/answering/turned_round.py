@@ -199,6 +199,8 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
     name, model = quantity.parameter, setup.model
     element = formula.number - model.geometry.scalar(quantity.target)
     index = model.field.index(model.geometry.scalar(Symbol(name)))
+    if quantity.of.scope == "steady motion" and index not in model.field.ingredients(element):
+        element, formula = _at_rates_of_start(setup, element, formula, index)
     if element.is_zero():
         if any(index in model.field.ingredients(c.element) for c in formula.needed):
             told = Message(
@@ -218,6 +220,15 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
             raise CannotAnswer(told)
         raise CannotAnswer(Message("that does not depend on {name}", name=name))
     return _Turned(setup, question, quantity, setup.system.parameters[name], index, element, formula)
+
+
+def _at_rates_of_start(setup: Setup, element: Ratio, formula: Formula, index: int) -> tuple[Ratio, Formula]:
+    """In steady motion rates go on as they start: with those that the start gives by the parameter, phi' = w."""
+    f, given = setup.model.field, setup.start.values
+    speeds = {c.speed for c in setup.model.coordinates} & f.ingredients(element)
+    known = {g: given[g] for g in speeds if g in given and index in f.ingredients(given[g])}
+    needed = [replace(c, element=f.lowest_terms(f.follow(c.element, known))) for c in formula.needed]
+    return f.lowest_terms(f.follow(element, known)), replace(formula, needed=needed)
 
 
 class SoInRange(CannotAnswer):

@@ -27,6 +27,7 @@ class OnAPoint(WarningKind, name="on a point"):
                 or not turning.get(other, False)
                 or _is_held(model, other)
                 or not self._is_below(model, particle, other)
+                or not self._touches(model, name)
             ):
                 continue
             told = Message(
@@ -36,6 +37,14 @@ class OnAPoint(WarningKind, name="on a point"):
                 carried=other,
             )
             yield self.warning(told, "connections", name, about=frozenset((particle, other)))
+
+    def _touches(self, model: Opened, name: str) -> bool:
+        """Whether both touch at the start: what is hit later is not lain on."""
+        from freebody.numeric.contact.overlaps import PENETRATION, gap_of  # imported where a model has contacts
+
+        g, size = model.start.geometry, PENETRATION * model.reference.sizes.length
+        own = [bound for bound in model.system.bounds if bound.row.connection == name]
+        return any(abs(gap_of(model.reference, g, bound)) <= size for bound in own)
 
     def _is_below(self, model: Opened, particle: str, other: str) -> bool:
         """Whether the weight of a body points from its mass centre to the particle."""

@@ -15,6 +15,8 @@ from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest
 from freebody.symbolic.linearised import swing_of
 from freebody.system.small_drives import with_small_drives
+from freebody.system.squared_waves import with_double_angles
+from freebody.system.system import System
 
 
 def find(setup: Setup, question: Question, at_rest: AtRest) -> Finding:
@@ -25,12 +27,22 @@ def find(setup: Setup, question: Question, at_rest: AtRest) -> Finding:
 
 def looked_at(setup: Setup) -> Setup:
     """The system as questions about small motion look at it: where drives swing to which the forces are not
-    proportional, as one that they shake a little."""
+    proportional, as one that they shake a little; squares of sines by the double angle."""
     if swing_of(setup.model) is not None:
         return setup
-    small = with_small_drives(setup.system)
-    seen = setup if small is None else Setup(small)
-    return seen if seen is setup or (seen.has_model and swing_of(seen.model) is not None) else setup
+    return _swinging(with_small_drives(setup.system)) or about_mean(setup)
+
+
+def about_mean(setup: Setup) -> Setup:
+    """The system in which loads that swing show the mean about which they do: squares of sines by the double angle."""
+    if swing_of(setup.model) is not None:
+        return setup
+    return _swinging(with_double_angles(setup.system)) or setup
+
+
+def _swinging(system: System | None) -> Setup | None:
+    seen = None if system is None else Setup(system)
+    return seen if seen is not None and seen.has_model and swing_of(seen.model) is not None else None
 
 
 @singledispatch

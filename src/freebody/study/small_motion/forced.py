@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 from dataclasses import replace
-from functools import singledispatch
+from functools import cached_property, singledispatch
 
 import numpy as np
 
@@ -128,15 +128,34 @@ class _Forced:
         top, below = self.root(swing.square), self.root(by.square)
         return f.lowest_terms(top / below)
 
+    @cached_property
+    def paced_by(self) -> tuple[int, Ratio]:
+        """The parameter P to which the frequency of the excitation is proportional, as the speed of a car on a wavy
+        road is, and Omega/P: what varies where the frequency does."""
+        f, frequency, linear = self.model.field, self.forced.swing.frequency, self.linear
+        own = {
+            g
+            for A in (linear.mass, linear.damping, linear.stiffness)
+            for row in A
+            for x in row
+            for g in f.ingredients(x)
+        }
+        for g in sorted(frequency.generators() - own):
+            factor = f.lowest_terms(frequency / f.variable(g))
+            if f.generators[g].kind == "parameter" and g not in f.ingredients(factor):
+                return g, factor
+        raise CannotAnswer(Message("the frequency of the excitation is no parameter of its own; write cos(Omega*t)"))
+
+    @property
     def omega(self) -> int:
-        """The parameter that is the frequency of the excitation."""
-        f, frequency = self.model.field, self.forced.swing.frequency
-        omega = next((g for g in frequency.generators() if frequency == f.variable(g)), None)
-        if omega is None:
-            raise CannotAnswer(
-                Message("the frequency of the excitation is no parameter of its own; write cos(Omega*t)")
-            )
-        return omega
+        return self.paced_by[0]
+
+    def with_frequency(self, draw: Draw, frequency: float) -> Draw:
+        """A draw with another frequency of the excitation."""
+        g, factor = self.paced_by
+        (by,) = element_at(self.setup, (factor,), draw, draw.start())
+        name = to_python(self.model.field.generators[g].display)
+        return Draw.of(draw.reference.system, {**draw.values, name: frequency / by})
 
     def finite(self, by: Phasor) -> list[Condition]:
         """That a divisor does not vanish: without damping it does where the excitation meets a natural frequency."""
@@ -188,7 +207,7 @@ def _transmissibility(q: Transmissibility, told: _Forced, question: Question) ->
 @_asked.register(MagnificationFactor)
 def _magnification(q: MagnificationFactor, told: _Forced, question: Question) -> Finding:
     """|A(Omega)| over |A(0)|, the loads and drives having the same amplitudes."""
-    f, omega, swing = told.model.field, told.omega(), told.of(q.of)
+    f, omega, swing = told.model.field, told.omega, told.of(q.of)
     still = {omega: f.zero}
     size = f.lowest_terms(f.follow(swing.square, still) / f.follow(told.forced.determinant.square, still))
     if size.is_zero():
@@ -207,10 +226,9 @@ def _amplitude_number(q: SteadyAmplitude, told: _Forced, numbers: ForcedNumbers)
 @_number.register(MagnificationFactor)
 def _magnification_number(q: MagnificationFactor, told: _Forced, numbers: ForcedNumbers) -> float:
     """The amplitude over that at a frequency that is slow beside all others."""
-    name = to_python(told.model.field.expression(told.forced.swing.frequency))
     natural = min(frequencies_at(told.setup, numbers.draw, numbers.places), default=numbers.frequency)
     slow = _SLOW * min(natural, numbers.frequency)
-    sizes = [_size_at(told, q.of, numbers.draw, name, x) for x in (slow, slow / 2)]
+    sizes = [_size_at(told, q.of, numbers.draw, x) for x in (slow, slow / 2)]
     if abs(sizes[0] - sizes[1]) > TOLERANCE * sizes[0]:
         raise CannotAnswer(NO_DEFLECTION)
     return abs(numbers.of(q.of)) / sizes[0]
@@ -282,7 +300,7 @@ def _in_step(told: _Forced, re: Ratio) -> tuple[Ratio, list[Condition]]:
 def _resonance(q: ResonanceFrequency, told: _Forced, question: Question) -> Finding:
     """Where the derivative of the squared amplitude by the frequency vanishes; without damping, where the amplitude is
     without bound."""
-    f, omega = told.model.field, told.omega()
+    f, omega = told.model.field, told.omega
     square = f.lowest_terms(told.of(q.of).square / told.forced.determinant.square)
     is_bounded = told.linear.is_damped
     sought = f.lowest_terms(f.partial(square, omega)).numerator() if is_bounded else square.denominator()
@@ -293,8 +311,8 @@ def _resonance(q: ResonanceFrequency, told: _Forced, question: Question) -> Find
     roots = tuple(f.sqrt(x, told.model.samples.is_negative) for x in best)
     if not is_bounded:
         told.notes.append(Message("without damping the amplitude grows without bound there"))
-    name = to_python(f.generators[omega].display)
-    evidence = _at_resonance(told, question, q, roots, name, is_bounded=is_bounded)
+    roots = tuple(f.lowest_terms(told.paced_by[1] * x) for x in roots)
+    evidence = _at_resonance(told, question, q, roots, is_bounded=is_bounded)
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, told.conditions, told.notes)
 
 
@@ -319,7 +337,7 @@ def _largest(told: _Forced, places: list[Ratio], square: Ratio, omega: int) -> l
 
 
 def _at_resonance(
-    told: _Forced, question: Question, q: ResonanceFrequency, roots: tuple[Ratio, ...], name: str, *, is_bounded: bool
+    told: _Forced, question: Question, q: ResonanceFrequency, roots: tuple[Ratio, ...], *, is_bounded: bool
 ) -> Evidence:
     """Newton's step from there in numbers, which is none; without damping, the natural frequencies."""
     setup = told.setup
@@ -335,7 +353,7 @@ def _at_resonance(
             natural = np.array(frequencies_at(setup, draw, places))
             check.compare(draw, exact, tuple(float(natural[np.argmin(np.abs(natural - x))]) for x in exact))
             return
-        step = _to_vertex(told, q, draw, name, exact[0])
+        step = _to_vertex(told, q, draw, exact[0])
         if step is None:
             raise SaysNothing(Message("the maximum is too flat for numbers"))
         check.compare(draw, exact, exact[0] * (1.0 + step))
@@ -352,9 +370,8 @@ def _resonance_number(q: ResonanceFrequency, told: _Forced, numbers: ForcedNumbe
     x = float(natural[np.argmin(np.abs(natural - numbers.frequency))])
     if not told.linear.is_damped:
         return x
-    name = to_python(told.model.field.expression(told.forced.swing.frequency))
     for _ in range(_VERTICES):
-        step = _to_vertex(told, q, draw, name, x)
+        step = _to_vertex(told, q, draw, x)
         if step is None:
             raise CannotAnswer(Message("no maximum of the amplitude was found near a natural frequency"))
         x *= 1.0 + max(-0.3, min(0.3, step))
@@ -363,18 +380,18 @@ def _resonance_number(q: ResonanceFrequency, told: _Forced, numbers: ForcedNumbe
     return x
 
 
-def _to_vertex(told: _Forced, q: ResonanceFrequency, draw: Draw, name: str, x: float) -> float | None:
+def _to_vertex(told: _Forced, q: ResonanceFrequency, draw: Draw, x: float) -> float | None:
     """Newton's step towards the maximum of the amplitude, as a part of x, from differences of fourth order; None where
     the amplitude does not bend downwards."""
-    a, b, c, d, e = (_size_at(told, q.of, draw, name, x * (1.0 + k * _APART)) for k in (-2, -1, 0, 1, 2))
+    a, b, c, d, e = (_size_at(told, q.of, draw, x * (1.0 + k * _APART)) for k in (-2, -1, 0, 1, 2))
     slope = (8.0 * (d - b) - (e - a)) / (12.0 * _APART)
     bend = (16.0 * (b + d) - (a + e) - 30.0 * c) / (12.0 * _APART**2)
     return -slope / bend if bend < -1e-3 * c else None
 
 
-def _size_at(told: _Forced, of: Quantity, draw: Draw, name: str, frequency: float) -> float:
+def _size_at(told: _Forced, of: Quantity, draw: Draw, frequency: float) -> float:
     """The amplitude in numbers at another frequency."""
-    other = Draw.of(draw.reference.system, {**draw.values, name: frequency})
+    other = told.with_frequency(draw, frequency)
     return abs(ForcedNumbers(told.setup.system, other, told.numbers(draw).places, frequency).of(of))
 
 

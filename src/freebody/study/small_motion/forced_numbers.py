@@ -9,6 +9,12 @@ slopes by central differences, their mean over the same instants; a quantity swi
 the first order in the size s of drives counts (`system/small_drives`), what is odd in them swings, but for s^2:
 
     s (a_c - i a_s) = (a(0) - a(T/2) - i (a(T/4) - a(3T/4)))/2.
+
+Where something moves without inertia, as a gear between two elastic shafts or the node of a spring and a damper in
+series, forces tell what accelerations do not: with z'' given, R(z, z', z'', t) is the force along the coordinates that
+is wanting (d'Alembert: N^T (M a - F), J N = 0, G N = 1), and
+
+    (dR/dz + i Omega dR/dz' - Omega^2 dR/dz'') Z = -(R_c - i R_s).
 """
 
 from __future__ import annotations
@@ -24,8 +30,10 @@ from numpy.typing import NDArray
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.numeric.instant import WithoutInertia, forces, gyroscopic
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
+from freebody.numeric.split import stack
 from freebody.questions.base import Quantity
 from freebody.study.answering.draws import Draw
 from freebody.system.small_drives import SCALE
@@ -91,14 +99,41 @@ class ForcedNumbers:
     @cached_property
     def motion(self) -> Complex:
         """Z. Raises CannotAnswer in resonance, where it would be round-off of the slopes that limits it."""
-        _mean, forced, slopes = self._swing(self._accelerations)
-        matrix = -(self.frequency**2) * np.eye(len(self.places)) - slopes
+        try:
+            _mean, forced, slopes = self._swing(self._accelerations)
+            inertia: Complex = np.eye(len(self.places), dtype=np.complex128)
+        except WithoutInertia:
+            _mean, forced, slopes = self._swing(self._wanting)
+            inertia = self._inertia
+        matrix = -(self.frequency**2) * inertia - slopes
         sizes = np.linalg.svd(matrix, compute_uv=False)
-        if sizes[-1] <= _RESONANT * (self.frequency**2 + float(np.abs(slopes).max(initial=0.0))):
+        most = self.frequency**2 * float(np.abs(inertia).max(initial=0.0)) + float(np.abs(slopes).max(initial=0.0))
+        if sizes[-1] <= _RESONANT * most:
             told = Message("resonance without damping: no oscillation stays steady, it grows with the time")
             raise CannotAnswer(told)
         found = np.linalg.solve(matrix, forced)
         return np.asarray(found, dtype=np.complex128)
+
+    # -- where something moves without inertia ------------------------------------------------
+    def _wanting(self, s: Snapshot, accelerations: Array | None = None) -> Array:
+        """-R: the forces along the coordinates beside what they would take to be accelerated so."""
+        reference, g, n = self.draw.reference, s.geometry, len(s.q)
+        rows = [reference.gap(row, g) for row in reference.system.constraint_rows]
+        marks = [reference.jet(g, measure) for measure, _value in self.places]
+        wanted = np.zeros(len(marks)) if accelerations is None else accelerations
+        known = np.linalg.pinv(stack([jet.row(n) for jet in (*rows, *marks)], n))
+        bias = np.array([jet.bias for jet in (*rows, *marks)])
+        a = known @ (np.concatenate((np.zeros(len(rows)), wanted)) - bias)
+        free = known[:, len(rows) :]
+        return free.T @ (forces(reference, g) + gyroscopic(reference, g) - reference.masses * a)
+
+    @cached_property
+    def _inertia(self) -> Complex:
+        """dR/dz'', which R is linear in."""
+        n = len(self.places)
+        s = self.seen(self.rest, np.zeros(n), 0.0)
+        still = self._wanting(s)
+        return np.array([still - self._wanting(s, e) for e in np.eye(n)]).T.astype(np.complex128)
 
     def of(self, quantity: Quantity) -> complex:
         """A quantity's swing, re cos(Omega t) - im sin(Omega t)."""

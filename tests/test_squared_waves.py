@@ -1,0 +1,42 @@
+"""Loads that swing as the square of a sine: A cos^2(w t) = A/2 + A/2 cos(2 w t) rests at its mean and swings at 2 w."""
+
+from __future__ import annotations
+
+import pytest
+
+from posed import is_formula
+
+CART = """
+parameters: {m: 2 kg, k: 200 N/m, A: 2 N, w: 3 rad/s}
+bodies: {a: {particle: {mass: m}}}
+connections: {guide: {slider: {body: a, along: right}}}
+measures: {x: x of a}
+loads:
+  spring: {law: {measure: x, force: -k*x}}
+  push: {force: {at: a, along: right, magnitude: WAVE}}
+start: {x: 0}
+"""
+BOB = """
+parameters: {m: 2 kg, L: 1 m, A: 8 N, w: 3 rad/s, g: 9.81 m/s^2}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: [ground.O, bob, L]}}
+measures: {th: angle of line from ground.O to bob from down}
+start: {th: 0}
+loads:
+  weight: {gravity: g}
+  wind: {force: {at: bob, along: right, magnitude: A*sin(w*t)^2}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("wave", "rest"), [("A*cos(w*t)^2", "A/(2*k)"), ("A*sin(w*t)^2", "A/(2*k)"), ("A*sin(w*t)*cos(w*t)", "0")]
+)
+def test_it_swings_about_its_mean_at_twice_the_frequency(wave: str, rest: str) -> None:
+    text = CART.replace("WAVE", wave)
+    is_formula(text, "equilibrium of x", rest)
+    is_formula(text, "steady amplitude of x", "A/(2*|k - 4*m*w^2|)")
+
+
+def test_a_pendulum_in_gusts_swings_about_a_slanting_line() -> None:
+    """The mean force A/2 stands beside m g: it swings in the field sqrt(g^2 + (A/(2 m))^2)."""
+    is_formula(BOB, "natural frequency", "sqrt(sqrt(g^2 + (A/(2*m))^2)/L)")
