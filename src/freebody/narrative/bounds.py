@@ -46,10 +46,8 @@ def _bound(context: Context, condition: Stated) -> Sentence | None:
     if slope == 0.0 or abs(at[2] - at[1] - slope) > ROUND_OFF * max(map(abs, at)):
         return None
     sign = relation if slope > 0 else _TURNED[relation]
-    unit = raised(str(dimensions[name]))
-    return Sentence(
-        "result.bound", {"name": Symbol(name), "sign": f"@{sign}", "value": f"@{-at[0] / slope:.4g} {unit}"}
-    )
+    unit, end = raised(str(dimensions[name])), -at[0] / slope + 0.0  # no -0
+    return Sentence("result.bound", {"name": Symbol(name), "sign": f"@{sign}", "value": f"@{end:.4g} {unit}"})
 
 
 def _number(e: Expr, name: str, x: float) -> float:

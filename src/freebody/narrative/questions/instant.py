@@ -15,6 +15,7 @@ from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.principles.newton import Solved, same_answer
+from freebody.narrative.questions.initial import tell_start
 from freebody.narrative.questions.state import AnswerParts, PlanarTelling, StateTelling
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.questions.reading import Question
@@ -128,12 +129,13 @@ def finish(
     if question.at_start:
         with script.stage("stage.start", "hint.start"):
             here = setup.start_for(question.quantity)
+            is_told = tell_start(context, script, set[int]().union(*(f.ingredients(part) for part in general)))
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = called if not is_there else tidy(parts[0])
             after = context.after_blow if setup.system.is_struck else ()
             args = {"lines": (last,), "given": after}
-            why = "value.after_blow" if after else "value.start"
+            why = "value.after_blow" if after else "value.start_with" if is_told else "value.start"
             last = script.line(left, shown, why=why, args=args, uses=(last, *after), when="start")
     left = called if not is_there else tidy(parts[0])
     tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")

@@ -1,0 +1,72 @@
+"""What a worked solution says of the start, and of what is constant on the way; at a clamp, and where nothing moves."""
+
+from __future__ import annotations
+
+import freebody as fb
+
+CART = """
+parameters: {m: 2 kg, F: 3 N, v0: 1 m/s, d: 1 m, k: 8 N/m}
+ground: {points: {O: [0, 0]}}
+bodies: {cart: {particle: {mass: m}}}
+connections: {rail: {slider: {body: cart, along: right}}}
+loads: {pull: {force: {at: cart, along: right, magnitude: F}}}
+measures: {x: x of cart}
+start: {x: 0.5 m, rate(x): v0}
+"""
+BEAM = """
+parameters: {L: 3 m, F: 250 N, M0: 300 N m}
+ground: {points: {A: [0, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: [0, 0]}, points: {S: [0, 0]}}}
+connections: {wall: {weld: [ground.A, beam.start]}}
+loads:
+  tip: {force: {at: beam.end, along: up, magnitude: F}}
+  couple: {torque: {on: beam, magnitude: M0}}
+"""
+HUNG = """
+parameters: {m: 1 kg, M: 3 kg, l: 1 m, F: 2 N, d: 1 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {cart: {particle: {mass: M}}, bob: {particle: {mass: m}}}
+connections:
+  rail: {slider: {body: cart, along: up, through: ground.O}}
+  rod: {link: {between: [cart, bob], length: l}}
+loads: {weight: {gravity: g}, lift: {force: {at: cart, along: up, magnitude: F}}}
+measures: {y: y of cart, phi: angle of line from cart to bob from down}
+start: {y: 0, rate(y): 0, phi: 0, rate(phi): 0}
+"""
+
+
+def _told(model: str, *asked: str) -> str:
+    return " ".join(fb.explain(fb.System.from_text(model), asked).to_text().split())
+
+
+def test_initial_values_are_told_with_their_units_before_they_are_put_in() -> None:
+    text = _told(CART, "time when x = 2*d")
+    assert text.index("At the start x = 0.5 m and x' = v₀.") < text.index("Integrating once")
+    assert "At the start x' = v₀. With these values" in _told(CART, "momentum of cart along right at start")
+
+
+def test_energy_from_the_start_tells_what_is_so_there() -> None:
+    spring = CART.replace(
+        "{pull: {force: {at: cart, along: right, magnitude: F}}}", "{s: {law: {measure: x, force: -k*x}}}"
+    )
+    text = _told(spring, "greatest x")
+    assert text.index("At the start x = 0.5 m and x' = v₀.") < text.index("Conservation of energy between the start")
+
+
+def test_moments_at_a_clamp_are_about_its_point_and_not_about_a_contact() -> None:
+    text = _told(BEAM, "reaction moment of wall")
+    assert "about A." in text
+    assert "contact point" not in text
+
+
+def test_of_what_cannot_move_no_motion_is_followed_in_numbers() -> None:
+    """The reason stands alone: a beam has no equations of motion, and there is nothing to simulate."""
+    text = _told(BEAM, "bending moment of beam at S")
+    assert "There is no derivation: where on beam the couple" in text
+    assert "simulate" not in text
+
+
+def test_an_acceleration_is_called_constant_only_where_it_is() -> None:
+    """That of the cart depends on the swing of the bob, which hangs at rest and stays so: y'' = F/(m + M) - g."""
+    text = _told(HUNG, "acceleration of y", "velocity of y when y = -d")
+    assert "φ starts at rest, and nothing accelerates it while it rests: it stays where it is. On this motion" in text
