@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 from collections.abc import Collection, Iterator
+from typing import cast
 
-from freebody.language.expression import ZERO, Expr, Symbol, evaluate, free_symbols
+from freebody.language.expression import Expr, free_symbols
 from freebody.language.notation import compared
-from freebody.language.raising import raised
 from freebody.language.sentences import Argument, Sentence
-from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.narrative.bounds import number_with_unit
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import Script
 from freebody.questions.motion import rates_of
@@ -17,9 +17,7 @@ from freebody.symbolic.tidy import tidy
 
 def tell_start(context: Context, script: Script, generators: Collection[int]) -> bool:
     """The values at the start of the coordinates and speeds among some generators, as far as the parameters give them;
-    whether there are any. Nothing after a blow at the start, which tells its own."""
-    if context.setup.system.is_struck:
-        return False
+    whether there are any. After a blow at the start these are the places, which it does not change."""
     values = tuple(_equations(context, generators))
     if values:
         script.say("course.start_values", values=values)
@@ -28,27 +26,19 @@ def tell_start(context: Context, script: Script, generators: Collection[int]) ->
 
 def _equations(context: Context, generators: Collection[int]) -> Iterator[Argument]:
     start, system = context.setup.start, context.setup.system
+    orders = 1 if system.is_struck else 2
     for c in context.setup.model.coordinates:
         measure = context.glossary.measures.get(c.name)
-        for order, index in enumerate((c.index, c.speed)):
+        for order, index in enumerate((c.index, c.speed)[:orders]):
             if measure is None or index not in generators or index not in start.values:
                 continue
             value = tidy(start.of(index))
             if not free_symbols(value) <= system.parameters.keys():  # a start value without a formula
                 continue
-            unit = "" if free_symbols(value) or value == ZERO else _unit(measure.dimension, order)
-            yield _equation(rates_of(c.name, order) if order else Symbol(c.name), value, unit)
+            yield _equation(rates_of(c.name, order), number_with_unit(value, measure.dimension, order))
 
 
-def _unit(dimension: Dimension, order: int) -> str:
-    if dimension == DIMENSIONLESS:
-        return "rad/s" if order else ""
-    return raised(str(dimension / TIME**order))
-
-
-def _equation(name: Expr, value: Expr, unit: str) -> Argument:
-    if not unit:
-        return compared(name, "=", value)
-    return Sentence(
-        "course.start_value", {"name": name, "value": f"@{float(evaluate(value, {})):.6g}", "unit": f"@{unit}"}
-    )
+def _equation(name: Expr, value: Argument) -> Argument:
+    if isinstance(value, Sentence):
+        return Sentence("course.start_value", {"name": name, "value": value})
+    return compared(name, "=", cast("Expr", value))
