@@ -10,6 +10,7 @@ from typing import Any, cast
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, children, multiply, number
 from freebody.language.sentences import Argument, Message
+from freebody.measures.base import Measure
 from freebody.narrative.context import Context
 from freebody.narrative.lines.naming import asked_entry, asked_symbol
 from freebody.narrative.lines.script import Script, names_in
@@ -171,13 +172,19 @@ def _variables(e: Expr) -> set[Expr]:
 @_tell_asked.register(Change)
 def _change(q: Change, way: AtEvent, lines: Sequence[int]) -> None:
     """How much a measure has changed."""
-    _counted(q, way, lines, "course.changed")
+    _counted(q, way, _of_measure(way, q.measure, lines), "course.changed")
 
 
 @_tell_asked.register(Travelled)
 def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
     """How far a measure has gone: one way, or to and fro from one turn to the next."""
-    _counted(q, way, lines, "course.travelled")
+    _counted(q, way, _of_measure(way, q.measure, lines), "course.travelled")
+
+
+def _of_measure(way: AtEvent, measure: Measure, lines: Sequence[int]) -> tuple[int, ...]:
+    """The lines of what a measure depends on."""
+    f, state = way.context.setup.model.field, way.context.setup.state
+    return _standing_in(way.script, tidy(f.lowest_terms(f.element(state.value(measure)))), lines)
 
 
 @_tell_asked.register(PathLength)

@@ -121,7 +121,9 @@ def finish(
                 sides.append(before.total)
             elif found and unsolved not in (shown, called):
                 sides.append(unsolved)
-            why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
+            is_of_given = not model.coordinates and not model.dependent
+            why, args = "value.is_given" if is_of_given else "value.is", dict[str, Argument](lines=lines)
+            why = "value.follows" if lines else why
             if not lines and question.quantity.is_of_parameters and question.quantity.is_by_law:
                 why = "answer.by_law"
             if drawn_back is not None:
@@ -131,7 +133,9 @@ def finish(
     if question.at_start:
         with script.stage("stage.start", "hint.start"):
             here = setup.start_for(question.quantity)
-            is_told = not is_rate and tell_start(context, script, set[int]().union(*(f.ingredients(part) for part in general)))
+            is_told = not is_rate and tell_start(
+                context, script, set[int]().union(*(f.ingredients(part) for part in general))
+            )
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = called if not is_there else tidy(parts[0])
