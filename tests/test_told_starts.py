@@ -2,7 +2,10 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import freebody as fb
+from freebody.narrative.sharing import lines_of
 
 CART = """
 parameters: {m: 2 kg, F: 3 N, v0: 1 m/s, d: 1 m, k: 8 N/m}
@@ -70,3 +73,13 @@ def test_an_acceleration_is_called_constant_only_where_it_is() -> None:
     """That of the cart depends on the swing of the bob, which hangs at rest and stays so: y'' = F/(m + M) - g."""
     text = _told(HUNG, "acceleration of y", "velocity of y when y = -d")
     assert "φ starts at rest, and nothing accelerates it while it rests: it stays where it is. On this motion" in text
+
+
+def test_one_planet_stands_for_all_in_the_constraints_and_energy_moves_them() -> None:
+    """A gear of three planets: one rolling condition at each mesh, no sum over copies, and few equations."""
+    system = fb.System.load(Path(__file__).parent.parent / "examples" / "planetary_gear_with_three_planets.yaml")
+    told = fb.explain(system, ["ratio", "acceleration", "tooth"])
+    text = " ".join(told.to_text().split())
+    assert "ω_planet_2" not in text
+    assert "The copies planet 2 and planet 3 move as planet does" in text
+    assert sum(len(lines_of(d.stages)) for d in told.derivations) < 20
