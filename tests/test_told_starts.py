@@ -2,10 +2,18 @@
 
 from __future__ import annotations
 
+import math
+import re
 from pathlib import Path
 
+import pytest
+
 import freebody as fb
+from freebody.language.expression import evaluate
+from freebody.language.parser import parse
+from freebody.narrative.principles.slanted import direction_words
 from freebody.narrative.sharing import lines_of
+from freebody.narrative.telling.catalogue import Catalogue
 
 CART = """
 parameters: {m: 2 kg, F: 3 N, v0: 1 m/s, d: 1 m, k: 8 N/m}
@@ -72,6 +80,7 @@ def test_of_what_cannot_move_no_motion_is_followed_in_numbers() -> None:
 def test_an_acceleration_is_called_constant_only_where_it_is() -> None:
     """That of the cart depends on the swing of the bob, which hangs at rest and stays so: y'' = F/(m + M) - g."""
     text = _told(HUNG, "acceleration of y", "velocity of y when y = -d")
+    assert "string" not in text  # a link is a rod
     assert "φ starts at rest, and nothing accelerates it while it rests: it stays where it is. On this motion" in text
 
 
@@ -83,3 +92,27 @@ def test_one_planet_stands_for_all_in_the_constraints_and_energy_moves_them() ->
     assert "ω_planet_2" not in text
     assert "The copies planet 2 and planet 3 move as planet does" in text
     assert sum(len(lines_of(d.stages)) for d in told.derivations) < 20
+
+
+@pytest.mark.parametrize(
+    ("x", "y", "angle"),
+    [
+        *(("cos(a)", "sin(a)", 0.0), ("-sin(a)", "cos(a)", 90.0), ("-cos(a)", "-sin(a)", 180.0)),
+        *(("sin(a)", "-cos(a)", -90.0), ("cos(a)", "-sin(a)", None), ("sin(a)", "cos(a)", None)),
+        *(("-cos(a)", "sin(a)", None), ("-sin(a)", "-cos(a)", None)),
+    ],
+)
+def test_a_slanted_direction_is_told_by_its_angle(x: str, y: str, angle: float | None) -> None:
+    """The angle that is told has this cosine and sine."""
+    told = Catalogue().plain(direction_words(parse(x), parse(y)))
+    (said,) = re.findall(r"direction at (.*) from the x axis", told)
+    a = 0.3
+    degrees = sum(
+        (-1 if sign == "−" else 1) * (math.degrees(a) if what == "a" else float(what))
+        for sign, what in re.findall(r"(−|\+|^) ?(a|\d+)°?", said)
+    )
+    if angle is not None:
+        assert degrees == pytest.approx(math.degrees(a) + angle)
+    for part, of in ((x, math.cos), (y, math.sin)):
+        assert of(math.radians(degrees)) == pytest.approx(float(evaluate(parse(part), {"a": a})))
+    assert Catalogue().plain(direction_words(parse("3/5"), parse("4/5"))) == "along (3/5, 4/5)"

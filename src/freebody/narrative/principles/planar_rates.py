@@ -307,7 +307,8 @@ class PlanarRates:
         alike = {row.connection for row in self.acting.rows.values() if row.reaction == held.reaction}
         # the only one of its kind needs no name
         args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
-        key = f"constraint.{held.reaction.replace(' ', '_')}"
+        is_rod = held.reaction == "tension" and not (held.unilateral or held.stretches)  # which may push
+        key = "constraint.length" if is_rod else f"constraint.{held.reaction.replace(' ', '_')}"
         if copy := copy_of_row(held.component):
             return script.line(*balanced(add(*shown)), why="constraint.copy", args={"copy": copy})
         bodies = tuple(dict.fromkeys(body for body in held.measure.bodies() if body != GROUND))
