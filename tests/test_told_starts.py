@@ -116,3 +116,20 @@ def test_a_slanted_direction_is_told_by_its_angle(x: str, y: str, angle: float |
     for part, of in ((x, math.cos), (y, math.sin)):
         assert of(math.radians(degrees)) == pytest.approx(float(evaluate(parse(part), {"a": a})))
     assert Catalogue().plain(direction_words(parse("3/5"), parse("4/5"))) == "along (3/5, 4/5)"
+
+
+def test_the_first_phase_tells_the_start_and_the_next_ones_do_not() -> None:
+    """A parcel up a rough slope and down again: s = 0 and s' = v0 are said once."""
+    ramp = """
+parameters: {m: 2 kg, mu: 0.25, alpha: 30 deg, v0: 4 m/s, g: 9.81 m/s^2}
+ground: {lines: {ramp: {along: alpha}}}
+bodies: {parcel: {particle: {mass: m}}}
+connections: {contact: {contact: {between: [parcel, ramp], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {s: travel of parcel along ramp}
+start: {s: 0, rate(s): v0}
+"""
+    text = _told(ramp, "time when s = 0 again")
+    assert text.count("At the start s = 0 and s' = v₀.") == 1
+    assert "Time when s = 0 again" in text
+    assert "Speed of parcel when s = 1 m" in _told(ramp, "speed of parcel when s = 1 m")
