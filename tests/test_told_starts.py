@@ -133,3 +133,15 @@ start: {s: 0, rate(s): v0}
     assert text.count("At the start s = 0 and s' = v₀.") == 1
     assert "Time when s = 0 again" in text
     assert "Speed of parcel when s = 1 m" in _told(ramp, "speed of parcel when s = 1 m")
+
+
+def test_the_angle_of_a_link_is_told_by_its_ends() -> None:
+    """A coordinate that a link brings is the angle of the line from one end to the other."""
+    swing = """
+parameters: {m: 1 kg, l: 1 m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {bob: {particle: {mass: m}}}
+connections: {rod: {link: {between: [ground.O, bob], length: l}}}
+loads: {weight: {gravity: g}}
+"""
+    assert "φ_rod — angle of the line from O to bob, from the x axis" in _told(swing, "natural frequencies")
