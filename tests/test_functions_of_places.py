@@ -8,6 +8,8 @@ import pytest
 from tests.conftest import Agree
 
 import freebody as fb
+from freebody.language.notation import to_text
+from freebody.narrative.sharing import lines_of
 
 FALLING = """
 parameters: {m: 80 kg, c: 20 kg/m, g: 9.81 m/s^2}
@@ -107,3 +109,33 @@ def test_nothing_is_said_of_the_one_place_that_stood_for_all() -> None:
     [answer] = system.solve("motor torque as a function of theta").answers
     assert answer.expression is not None
     assert not any("given numbers" in note for note in answer.notes)
+
+
+def test_the_way_to_a_function_of_the_place_is_told_for_one_place_and_then_for_all() -> None:
+    """Energy gives theta' at any place theta1, the equations of motion the reaction; then theta1 is theta again."""
+    asked = ["reaction of hinge along rod.x as a function of theta", "angular velocity of rod as a function of theta"]
+    told = fb.explain(fb.System.from_text(ROD), asked)
+    assert told.is_complete
+    text = told.to_text()
+    assert "Let θ₁ be any value of θ" in text
+    assert "F_hinge_x⋅cos(θ) - F_hinge_y⋅sin(θ)" in text
+    assert "θ = θ is reached" not in text
+    lines = [lines_of(d.stages)[-1] for d in told.derivations]
+    assert [to_text(line.sides[-1]) for line in lines] == ["-5·m·g·sin(θ)/2", "-√(3·g·sin(θ)/L)"]
+
+
+def test_the_speed_at_a_place_of_an_even_acceleration_needs_no_time() -> None:
+    """v^2 = 2 a x: neither an equation for the time nor a word about its roots."""
+    model = """
+parameters: {m: 2 kg, F: 3 N, d: 1 m}
+bodies: {cart: {particle: {mass: m}}}
+connections: {rail: {slider: {body: cart, along: right}}}
+loads: {pull: {force: {at: cart, along: right, magnitude: F}}}
+measures: {x: x of cart}
+start: {x: 0, rate(x): 0}
+"""
+    told = fb.explain(fb.System.from_text(model), ["speed of cart as a function of x", "speed of cart when x = d"])
+    for derivation in told.derivations:
+        assert all(to_text(line.sides[0]) != "t" for line in lines_of(derivation.stages))
+    assert "root" not in told.to_text()
+    assert "first t > 0" in fb.explain(fb.System.from_text(model), "time when x = d").to_text()

@@ -5,11 +5,11 @@ from __future__ import annotations
 from collections.abc import Mapping
 
 from freebody.errors import ExpressionError
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, free_symbols
+from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, evaluate, free_symbols
 from freebody.language.notation import Stated
 from freebody.language.raising import raised
 from freebody.language.sentences import Argument, Message, Sentence
-from freebody.language.units import DIMENSIONLESS, Dimension
+from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.narrative.context import Context
 from freebody.narrative.lines.script import ready
 from freebody.tolerances import ROUND_OFF
@@ -46,10 +46,8 @@ def _bound(context: Context, condition: Stated) -> Sentence | None:
     if slope == 0.0 or abs(at[2] - at[1] - slope) > ROUND_OFF * max(map(abs, at)):
         return None
     sign = relation if slope > 0 else _TURNED[relation]
-    unit = raised(str(dimensions[name]))
-    return Sentence(
-        "result.bound", {"name": Symbol(name), "sign": f"@{sign}", "value": f"@{-at[0] / slope:.4g} {unit}"}
-    )
+    unit, end = raised(str(dimensions[name])), -at[0] / slope + 0.0  # no -0
+    return Sentence("result.bound", {"name": Symbol(name), "sign": f"@{sign}", "value": f"@{end:.4g} {unit}"})
 
 
 def _number(e: Expr, name: str, x: float) -> float:
@@ -60,3 +58,12 @@ def _dimensions(context: Context) -> Mapping[str, Dimension]:
     system = context.system
     found = {p.name: p.dimension for p in system.parameters.values()}
     return found | {name: measure.dimension for name, measure in system.measures.items()}
+
+
+def number_with_unit(value: Expr, dimension: Dimension, order: int = 0) -> Argument:
+    """A value of a measure, or of its rate of an order: a formula as it stands, a number with its unit in SI; an angle
+    has none."""
+    if free_symbols(value) or value == ZERO or (dimension == DIMENSIONLESS and not order):
+        return value
+    unit = "rad/s" if dimension == DIMENSIONLESS else raised(str(dimension / TIME**order))
+    return Sentence("result.number", {"value": f"@{float(evaluate(value, {})):.6g}", "unit": f"@{unit}"})

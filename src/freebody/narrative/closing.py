@@ -22,6 +22,7 @@ from freebody.narrative.lines.naming import asked_symbol, own_symbols, side_of
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
+from freebody.narrative.questions.of_place import at_its_place
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
@@ -30,9 +31,10 @@ from freebody.study.answering.named_formulas import Chain
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
     """Result and options."""
-    script = Script(context.glossary, context.next_number)
+    there = at_its_place(context, question)
+    script = Script(there.glossary, context.next_number)
     with script.stage("stage.result", "hint.result"):
-        _result(context, script, question, answer)
+        _result(there, script, question, answer)
     if answer.options:
         with script.stage("stage.options", "hint.options"):
             _options(context, script, question, answer)

@@ -43,6 +43,9 @@ class Context:
     new: Solved = field(default_factory=dict[int, tuple[Ratio, int]])  # by the one that is being written
     after_blow: tuple[int, ...] = ()  # lines of the opening: the speeds just after the blow at the start
     own: Expr | tuple[Expr, ...] | None = None  # in which the derivation of a phase has ended: no name of the answer
+    at_places: dict[str, Context] = field(
+        default_factory=dict[str, "Context"]
+    )  # of functions of the place, by question
     drawn: System | None = None  # the system of the pictures, where `system` is one mode of it
 
     @cached_property

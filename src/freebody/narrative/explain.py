@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError, RoutesDisagree
 from freebody.language.expression import Call, Number, Symbol
-from freebody.language.sentences import Message, Sentence
+from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.noting import did_you_mean
 from freebody.narrative.closing import closing
 from freebody.narrative.contact.settings import changes_at_borders_alone, has_phases
@@ -19,7 +19,7 @@ from freebody.narrative.context import METHODS, Context, Derive, Method
 from freebody.narrative.derivation import Derivation, WorkedSolutions
 from freebody.narrative.first_turn import at_first_turn
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula
+from freebody.narrative.lines.script import DerivationStage, Item, Listing, NumberedFormula, ready
 from freebody.narrative.numbering import numbered
 from freebody.narrative.opening import opening
 from freebody.narrative.sharing import ToldSoFar, lines_of, result_line, sentences_of, without_echo
@@ -37,6 +37,7 @@ from freebody.study.friction.answers import of_motion
 from freebody.study.given import each
 from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
+from freebody.symbolic.uniform_passage import is_of_roots
 from freebody.system.system import System
 
 if TYPE_CHECKING:
@@ -197,7 +198,11 @@ def _derived(
     new, again = without_echo(new, again)
     at = question.event or question.transition
     event = "" if at is None else repr(at)
-    new = _with_result(new, ends, told, event)
+    if all(line.sides[0] != Symbol("t") for line in lines_of(stages)):  # without the time its roots mean nothing
+        unsaid = tuple(ready(note) for note in answer.notes if is_of_roots(note))
+    else:
+        unsaid = ()
+    new = _with_result(new, ends, told, event, unsaid)
     told.take(new)
     told.take_notes(new, event)
     here.keep_found(again, told.numbers)
@@ -214,14 +219,19 @@ def _at_its_turn(context: Context, question: Question) -> Question:
 
 
 def _with_result(
-    new: list[DerivationStage], ends: Sequence[DerivationStage], told: ToldSoFar, event: str
+    new: list[DerivationStage],
+    ends: Sequence[DerivationStage],
+    told: ToldSoFar,
+    event: str,
+    unsaid: Sequence[Argument] = (),
 ) -> list[DerivationStage]:
     """A derivation with its end. A result that stands in the last line is not written again, and what an earlier
-    derivation has found is named beside it; notes that were made on the way, or of the same event, are not repeated."""
+    derivation has found is named beside it; notes that were made on the way, or of the same event, are not repeated.
+    unsaid: notes that are of nothing in it."""
     if not ends:
         return new
     noted = [s.args.get("text") for s in (*told.sentences, *sentences_of(new)) if s.key == "course.note"]
-    noted += told.notes.get(event, ()) if event else ()
+    noted += [*(told.notes.get(event, ()) if event else ()), *unsaid]
     first, *others = [_without_notes(stage, noted) for stage in ends]
     found = [s for s in sentences_of(new) if s.key == "result.found"]
     if found and len(new) == 1:
@@ -273,8 +283,6 @@ def _has_redundant_constraints(context: Context) -> bool:
 def _attempt(
     context: Context, question: Question, answer: Answer, method: Method, derive: Derive
 ) -> tuple[list[DerivationStage], str]:
-    if isinstance(question.event, AnyPlace):
-        return [], Message("it is derived for one place at a time: ask when {x} = ...", x=question.event.name)
     try:
         with context.setup.apart():  # what one derivation takes to be positive is nothing to the next
             stages = derive(context, question, answer, method)

@@ -27,6 +27,7 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import INERTIA, MASS, Dimension, dimension_of
 from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, RIGHT, UP, ZERO, Direction, Point
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.model.named_angles import offered_name
@@ -160,6 +161,8 @@ def coordinate_words(context: Context, name: str) -> tuple[Sentence, str]:
     match context.glossary.measures.get(name):
         case Angle(of, origin, reference) if origin == GROUND and reference == ZERO:
             return Sentence("symbol.angle_of", {"body": of}), ""
+        case Bearing(start, end, origin, reference) if origin == GROUND and reference == ZERO:
+            return Sentence("symbol.bearing", {"start": str(start), "end": str(end)}), ""
         case Displacement(of, origin, along) if _is_plain(of, origin, along):
             axis = "x" if along.components == RIGHT.components else "y"
             return Sentence(

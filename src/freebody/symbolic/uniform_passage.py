@@ -20,6 +20,22 @@ from freebody.symbolic.signs import sign_of
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
 
+NEGATIVE_ROOT = Message("the root with the negative sign is a time before the start and is rejected")
+
+
+def _rejected(root: str) -> Message:
+    return Message("rejected root: {root} is negative, a time before the start", root=root)
+
+
+def _later(root: str, name: str) -> Message:
+    return Message("other root: {root} is later, when {x} passes again on the way back", root=root, x=name)
+
+
+def is_of_roots(note: str) -> bool:
+    """Whether a note says which root of the equation for the time is meant."""
+    of_roots = (NEGATIVE_ROOT, _rejected(""), _later("", ""))
+    return isinstance(note, Message) and note.template in {message.template for message in of_roots}
+
 
 @dataclass(frozen=True)
 class UniformInstant:
@@ -53,8 +69,7 @@ def passage_at(name: str, law: UniformLaw, at: Ratio) -> UniformInstant:
     # at rest at the start, t = sqrt(2 d/a) reads better than sqrt(2 a d)/a
     if u0.is_zero():
         time = _sqrt(law, 2 * distance / a)
-        note = Message("the root with the negative sign is a time before the start and is rejected")
-        return UniformInstant(time, a * time, [note], [(distance / a, ">")])
+        return UniformInstant(time, a * time, [NEGATIVE_ROOT], [(distance / a, ">")])
     return _one_of_two(name, law, distance, at)
 
 
@@ -85,10 +100,10 @@ def _one_of_two(name: str, law: UniformLaw, distance: Ratio, at: Ratio) -> Unifo
     root_at = compared(Symbol("t"), "=", tidy(other))
     needs = [(square, ">=")]
     if all(v < 0 for v in law.model.samples.at_starts(other)):
-        words = Message("rejected root: {root} is negative, a time before the start", root=root_at)
+        words = _rejected(root_at)
         needs.append((distance / a, ">"))
     else:
-        words = Message("other root: {root} is later, when {x} passes again on the way back", root=root_at, x=name)
+        words = _later(root_at, name)
         needs.append((chosen, ">"))
     if not sign_of(a).is_strict:  # it decides which root is the larger one
         rises = all(v > 0 for v in law.model.samples.at_starts(a))

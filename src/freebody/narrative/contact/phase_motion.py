@@ -16,6 +16,7 @@ from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script
 from freebody.narrative.principles.planar_rates import PlanarRates
+from freebody.narrative.questions.initial import tell_values
 from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.narrative.questions.state import kinetic_of, kinetic_terms
 from freebody.narrative.space.spatial_momentum import Momenta
@@ -100,6 +101,8 @@ def _integrate(
         way.home(leg, x) for x in (course.start.of(c.index), course.start.of(c.speed), course.accelerations[c.speed])
     )
     t, symbol = leg.clock, Symbol(c.name)
+    if leg.number == 1 and not leg.phase.base.is_struck:
+        tell_values(script, leg.phase.base, [(c.name, order, readable(x)) for order, x in enumerate((q, u))])
     with on_the_way(script, leg.course):
         key = "motion.constant_velocity" if a.is_zero() else "motion.velocity"
         velocity = in_time([u, a], t)
@@ -225,6 +228,9 @@ def _energy_integral(
         script.say(f"motion.{kind}")
         if others:
             script.say("motion.other_work", loads=tuple(dict.fromkeys(p.load for p in others)))
+        if leg.number == 1 and not leg.phase.base.is_struck:
+            starts = [(k.name, o, x) for k in phase.model.coordinates for o, x in enumerate((k.index, k.speed))]
+            tell_values(script, phase.base, [(k, o, tidy(begin[x])) for k, o, x in starts if x in begin])
         with on_the_way(script, leg.course):
             right = at_first if work is None else at_first + work
             both = script.line(

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Symbol, add
+from freebody.language.expression import Expr, Symbol, add, multiply, number
 from freebody.language.sentences import Message, Sentence
 from freebody.model.elements import NonholonomicForm
 from freebody.narrative.context import Context
@@ -151,6 +151,7 @@ def _kinetic_line(context: Context, script: Script, T: Ratio) -> int:
         own = f.element(Energy("kinetic", body.name).value(context.system, context.setup.state))
         if not own.is_zero():
             parts.append(tidy(f.lowest_terms(own)))
+    parts = [multiply(number(n), part) if (n := parts.count(part)) > 1 else part for part in dict.fromkeys(parts)]
     shown = tidy(T)
     context.glossary.formulas[symbol.name] = shown
     sides = (symbol, add(*parts), shown) if len(parts) > 1 and add(*parts) != shown else (symbol, shown)

@@ -18,6 +18,7 @@ from freebody.measures.geometry import RIGHT, UP, Direction
 from freebody.narrative.lines.glossary import Glossary, Meaning, World, of_centre
 from freebody.narrative.principles.acting import Slot
 from freebody.narrative.principles.sides import scaled
+from freebody.narrative.principles.slanted import direction_words
 from freebody.questions.motion import OfMeasure, OfPoint, rates_of
 from freebody.questions.vectors import place
 from freebody.symbolic.field import Generator
@@ -176,7 +177,7 @@ class Kinematics:
         kind = self._beside_path(body, unit)
         what = Sentence(
             f"symbol.{kind}_{order}",
-            {"of": of_centre(self.system.bodies[body]), "x": tidy(unit[0]), "y": tidy(unit[1])},
+            {"of": of_centre(self.system.bodies[body]), "along": direction_words(*map(tidy, unit))},
         )
         self.glossary.introduce(Meaning(Symbol(name), what, read, _UNITS[order][0]))
         return self._term(coefficient, Symbol(name), explicit, body, order)

@@ -16,6 +16,7 @@ from typing import Protocol
 
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.sentences import Sentence
+from freebody.measures.angle import Angle
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, Pose, position
 from freebody.model.elements import ConstraintRow
@@ -213,7 +214,8 @@ class PlanarPlaces:
             point = self._named_point(connection)
             if point:
                 return Sentence("point.named", {"point": point})
-            return contact_point(acting, connection)
+            if acting.system.connections[connection].has_contact_point:
+                return contact_point(acting, connection)
         return self._meeting(row_a, row_b)
 
     def _meeting(self, row_a: str, row_b: str) -> Sentence:
@@ -248,8 +250,10 @@ class PlanarPlaces:
         return [row for row in self.acting.rows.values() if row.connection == connection]
 
     def _named_point(self, connection: str) -> str:
-        """The name of the point that a pin holds; the origin of a body is named only if nothing else is there."""
-        rows = [row for row in self.system.constraint_rows if row.connection == connection]
+        """The name of the point that a pin or a clamp holds; the origin of a body is named only if nothing else is
+        there."""
+        own = [row for row in self.system.constraint_rows if row.connection == connection]
+        rows = [row for row in own if not isinstance(row.measure, Angle)]  # the angle of a clamp has no place
         points = [
             p for row in rows if isinstance(row.measure, Displacement) for p in (row.measure.origin, row.measure.of)
         ]

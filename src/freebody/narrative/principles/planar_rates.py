@@ -6,6 +6,7 @@ P' = sum of m a,        H' = I w' about a mass centre, (I + m r^2) w' about a fi
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
+from dataclasses import replace
 
 from freebody.connections.shared_by_copies import copy_of_row
 from freebody.language.expression import Expr, Symbol, add, n_operations
@@ -39,6 +40,7 @@ class PlanarRates:
         self.constraint_lines: dict[str, int] = {}
         self._constraint_terms: dict[str, tuple[Term, ...]] = {}  # that stand in these lines
         self._introduced: set[str] = set()
+        self._for_copies: set[str] = set()  # bodies of which it is told that they stand for their copies
         self._loop_lines: tuple[int, ...] | None = None
 
     def begin(self) -> None:
@@ -47,6 +49,7 @@ class PlanarRates:
         self.constraint_lines.clear()
         self._constraint_terms.clear()
         self._introduced.clear()
+        self._for_copies.clear()
         self._loop_lines = None
 
     def prepare(self, script: Script, plan: Plan) -> None:
@@ -219,6 +222,9 @@ class PlanarRates:
         reached, waiting = {body}, [body]
         while waiting:
             for row in self.acting.acting_on(waiting.pop(0)):
+                copy = copy_of_row(self.acting.rows[row].component)
+                if copy and copy not in reached:  # of the others it is said once what one of them does
+                    continue
                 terms = () if row in self.symmetry.merged else self._terms_of(row)
                 if len(terms) < 2 or not all(t.coefficient.is_constant() for t in terms):
                     continue
@@ -229,7 +235,26 @@ class PlanarRates:
 
     def _terms_of(self, row: str) -> tuple[Term, ...]:
         slopes = self.model.gradient(self.acting.rows[row].measure)
-        return self._constraint_terms.get(row) or tuple(self.kinematics.velocity_form(dict(slopes)))
+        if row in self._constraint_terms:
+            return self._constraint_terms[row]
+        terms = tuple(self.kinematics.velocity_form(dict(slopes)))
+        return terms if copy_of_row(self.acting.rows[row].component) else self._of_one_copy(terms)
+
+    def _of_one_copy(self, terms: tuple[Term, ...]) -> tuple[Term, ...]:
+        """With the symbols of one copy for those of all that move as it does, as in the sum that a mesh of planets
+        holds."""
+        first = {copy: body.name for body in self.system.moving for copy in body.copies}
+        found = dict[Expr, Term]()
+        for term in terms:
+            own = term
+            for other in terms:
+                is_alike = other.body == first.get(term.body) and other.is_turning == term.is_turning
+                if is_alike and self.model.samples.vanishes(other.explicit - term.explicit):
+                    own = other
+            before = found.get(own.symbol)
+            added = term.coefficient if before is None else before.coefficient + term.coefficient
+            found[own.symbol] = replace(own, coefficient=self.field.lowest_terms(added))
+        return tuple(found.values())
 
     def leading_to(self, script: Script, body: str) -> tuple[int, ...]:
         """The constraints that lead from a body to the coordinates, and what they leave open: how its mass centre and
@@ -268,6 +293,12 @@ class PlanarRates:
         for term in terms:
             self._introduce(script, term)
         held = self.acting.rows[row]
+        mine = {term.body for term in terms}
+        for body in self.system.moving if not copy_of_row(held.component) else ():
+            is_for_all = body.copies and body.name in mine and set(body.copies) <= set(held.measure.bodies())
+            if is_for_all and body.name not in self._for_copies:
+                self._for_copies.add(body.name)
+                script.say("symmetry.copies", first=body.name, names=body.copies)
         rest = self.model.in_independent_speeds(total(terms, self.field.zero))  # what drives it
         own = [term.coefficient for term in terms] + ([] if self.model.samples.vanishes(rest) else [-rest])
         own = without_common_factor(own)
@@ -276,7 +307,8 @@ class PlanarRates:
         alike = {row.connection for row in self.acting.rows.values() if row.reaction == held.reaction}
         # the only one of its kind needs no name
         args: dict[str, Argument] = {"connection": held.connection, "component": held.component, "n": len(alike)}
-        key = f"constraint.{held.reaction.replace(' ', '_')}"
+        is_rod = held.reaction == "tension" and not (held.unilateral or held.stretches)  # which may push
+        key = "constraint.length" if is_rod else f"constraint.{held.reaction.replace(' ', '_')}"
         if copy := copy_of_row(held.component):
             return script.line(*balanced(add(*shown)), why="constraint.copy", args={"copy": copy})
         bodies = tuple(dict.fromkeys(body for body in held.measure.bodies() if body != GROUND))

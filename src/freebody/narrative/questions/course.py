@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Symbol
 from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.lines.script import DerivationStage
@@ -23,11 +24,14 @@ from freebody.narrative.questions.event_way import (
     event_means,
     tell_asked,
 )
+from freebody.narrative.questions.initial import tell_start
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.extent import kept_on_the_way
+from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
+from freebody.symbolic.unknowns import Coordinate
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
@@ -59,7 +63,9 @@ def _derived(context: Context, question: Question, answer: Answer, method: Metho
         unknowns = [setup.model.accelerations[setup.model.coordinates.index(o)] for o in named]
         found = by_method(context, script, unknowns, method)
         way, *beside = (
-            replace(way, coordinate=o, acceleration=setup.motion.acceleration(o), line=found[unknown][1])
+            replace(
+                way, coordinate=o, acceleration=setup.motion.acceleration(o), line=_on_the_way(way, o, *found[unknown])
+            )
             for o, unknown in zip(named, unknowns, strict=True)
         )
         way.beside = beside
@@ -69,6 +75,24 @@ def _derived(context: Context, question: Question, answer: Answer, method: Metho
         lines = lines_by_energy(way) if by_energy else lines_by_law(way)
     tell_asked(way, lines)
     return script.stages
+
+
+def _on_the_way(way: EventWay, c: Coordinate, value: Ratio, line: int) -> int:
+    """The line of an acceleration that is constant on the way, though it is not in general: because other coordinates
+    that stand in it stay at rest."""
+    setup, script, f = way.context.setup, way.script, way.context.setup.model.field
+    there = setup.motion.acceleration(c)
+    inside = f.ingredients(value)
+    others = [k for k in setup.model.coordinates if inside & {k.index, k.speed}]
+    if not others or not there.is_constant():
+        return line
+    with script.stage("stage.integration", "hint.integration"):
+        tell_start(way.context, script, {x for k in others for x in (k.index, k.speed)})
+        if c not in others and all(setup.start.of(k.speed).is_zero() for k in others):
+            script.say("course.at_rest", names=tuple(Symbol(k.name) for k in others))
+        symbol = tidy(f.variable(setup.model.accelerations[setup.model.coordinates.index(c)]))
+        args: dict[str, Argument] = {"line": line}
+        return script.line(symbol, tidy(there), why="course.on_the_way", args=args, uses=(line,), when="event")
 
 
 def _together(asked: AtEvent, method: Method) -> list[DerivationStage]:

@@ -13,6 +13,7 @@ from freebody.narrative.lines.script import Script, ready
 from freebody.narrative.principles.analytic import energy_terms
 from freebody.narrative.questions.course_by_law import place_line, say_orbit
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, coordinates_asked
+from freebody.narrative.questions.initial import tell_start
 from freebody.narrative.questions.kept_momenta import places_by_momenta, tell_momenta
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import rates_of
@@ -80,9 +81,12 @@ def say_first_integral(context: Context, script: Script, c: Coordinate) -> None:
     belongs to coordinates that move apart."""
     setup, system = context.setup, context.system
     f, integrals = setup.model.field, context.setup.motion.integrals_of(c)
-    if apart := [k for k in setup.model.coordinates if k.index in integrals.apart]:
+    apart = [k for k in setup.model.coordinates if k.index in integrals.apart]
+    if apart:
         own = [k for k in setup.model.coordinates if k not in apart]
         script.say("course.apart", own=_symbols(own), names=_symbols(apart))
+    moving = {k for q in setup.model.coordinates if q not in apart for k in (q.index, q.speed)}
+    tell_start(context, script, moving)
     for load in dict.fromkeys(p.load for p in system.applied_loads if not system.loads[p.load].stores_energy):
         parts = [integrals.potential_of(p, setup.state) for p in system.applied_loads if p.load == load]
         total = f.lowest_terms(sum(parts, f.zero))

@@ -6,8 +6,10 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import LAMBERT, Call, Expr, Symbol, add, multiply, number, power
 from freebody.language.sentences import Argument, Message
 from freebody.narrative.lines.script import Script, ready
+from freebody.narrative.principles.momentum import parts_of
 from freebody.narrative.principles.sides import positive_first
 from freebody.narrative.questions.event_way import TIME, EventWay, at_start, event_means
+from freebody.narrative.questions.initial import tell_start
 from freebody.questions.event import OfQuantity
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import rates_of
@@ -20,6 +22,8 @@ from freebody.symbolic.orbits import Orbit
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.tidy import tidy
 
+_MOVING = ("coordinate", "speed", "acceleration", "time", "function")  # kinds of generators that change
+
 
 def law_lines(way: EventWay) -> list[int]:
     """Rate and place as functions of the time."""
@@ -28,6 +32,7 @@ def law_lines(way: EventWay) -> list[int]:
         return _coupled_lines(way, coupled)
     if not isinstance(law, UniformLaw):
         return by_law(way)
+    tell_start(way.context, script, (c.index, c.speed))
     script.say("course.constant", line=way.line, coordinate=c.name)
     right: Expr = sum_of(law.u0, (law.a, TIME))
     u = script.line(
@@ -60,18 +65,17 @@ def lines_by_law(way: EventWay) -> list[int]:
 def _uniform(way: EventWay) -> list[int]:
     script, c, a = way.script, way.coordinate, way.acceleration
     q0, u0 = at_start(way)
-    f = a.field
-    x, u = Symbol(c.name), rates_of(c.name, 1)
+    x, u, is_of_place = Symbol(c.name), rates_of(c.name, 1), _is_of_place(way)
     with script.stage("stage.integration", "hint.integration"):
+        tell_start(way.context, script, (c.index, c.speed))
         script.say("course.constant", line=way.line, coordinate=c.name)
-        t = f.time
         u_line = script.line(
             u, sum_of(u0, (a, TIME)), why="course.velocity", args={"line": way.line}, uses=(way.line,), when="event"
         )
         place = sum_of(q0, (u0, TIME), (a / 2, power(TIME, number(2))))
         x_line = script.line(x, place, why="course.place", args={"line": u_line}, uses=(u_line,), when="event")
         square = None
-        if not a.is_zero():
+        if is_of_place and not a.is_zero():
             v2 = add(tidy(u0 * u0), multiply(tidy(2 * a), add(x, multiply(number(-1), tidy(q0)))))
             square = script.line(
                 power(u, number(2)),
@@ -84,21 +88,23 @@ def _uniform(way: EventWay) -> list[int]:
         more = [line for other in way.beside for line in law_lines(other)]
     with script.stage("stage.event", "hint.event"):
         at = place_line(way)
-        if square is not None and _is_of_place(way):
+        if square is not None:
             way.by_place = (square, at)
         else:
-            _time_lines(way, x_line, u_line, square, at, t)
+            _time_lines(way, x_line, u_line, at)
     return [u_line, x_line, *([square] if square else []), *more]
 
 
 def _is_of_place(way: EventWay) -> bool:
-    """Whether a place is reached, and the speed of the coordinate there is all that is asked."""
+    """Whether a place is reached, and what is asked there depends on the place and the speed of the coordinate."""
     event, q = way.question.event, way.question.quantity
     if not isinstance(event, QuestionEvent) or event.order != 0 or q.is_of_event or q.scope == "course" or way.beside:
         return False
-    f = way.acceleration.field
-    value = q.value(way.context.system, way.context.setup.state)
-    return not isinstance(value, tuple) and (f.element(value) - f.variable(way.coordinate.speed)).is_zero()
+    parts, unknowns = parts_of(way.context, q)
+    f, c = way.acceleration.field, way.coordinate
+    inside = set[int]().union(*(f.ingredients(part) for part in parts))
+    moving = {k for k in inside if f.generators[k].kind in _MOVING}
+    return not unknowns and c.speed in moving and moving <= {c.index, c.speed}
 
 
 def sum_of(first: Ratio, *terms: tuple[Ratio, Expr]) -> Expr:
@@ -136,7 +142,7 @@ def say_orbit(script: Script, orbit: Orbit) -> None:
     script.say("course.orbit", power=u, angle=Symbol(orbit.angle.name), shape=shape)
 
 
-def _time_lines(way: EventWay, x_line: int, u_line: int, square: int | None, at: int, t: Ratio) -> None:
+def _time_lines(way: EventWay, x_line: int, u_line: int, at: int) -> None:
     """The equation for the time, its roots, and which one is meant."""
     script, reached = way.script, way.reached
     event = way.question.event
@@ -172,6 +178,7 @@ def _linear(way: EventWay) -> list[int]:
     assert isinstance(event, QuestionEvent)
     lines: list[int] = []
     with script.stage("stage.integration", "hint.integration"):
+        tell_start(way.context, script, (c.index, c.speed))
         if not isinstance(way.law, Oscillation | Growth | Decay):
             lines += by_law(way)
         elif not isinstance(way.law, Decay):

@@ -8,15 +8,17 @@ from functools import singledispatch
 from typing import Any, cast
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Symbol, add, multiply, number
+from freebody.language.expression import Call, Expr, Symbol, add, children, multiply, number
 from freebody.language.sentences import Argument, Message
+from freebody.measures.base import Measure
 from freebody.narrative.context import Context
 from freebody.narrative.lines.naming import asked_entry, asked_symbol
-from freebody.narrative.lines.script import Script
+from freebody.narrative.lines.script import Script, names_in
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import closed_loops
 from freebody.narrative.principles.momentum import by_momentum, parts_of
 from freebody.narrative.principles.newton import same_answer
+from freebody.narrative.sharing import lines_of
 from freebody.questions.base import Quantity
 from freebody.questions.course import Change, EnergyLost, PathLength, Travelled
 from freebody.questions.event_base import QuestionEvent
@@ -123,8 +125,10 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
     if len(there) != 1:
         raise CannotAnswer(Message("a vector at an event is told by its components"))
     shown, last = tidy(there[0]), script.next_number - 1
-    if isinstance(way, EventWay) and way.by_place and (general[0] - f.variable(way.coordinate.speed)).is_zero():
+    if isinstance(way, EventWay) and way.by_place:
         lines = way.by_place
+    else:
+        lines = _standing_in(script, tidy(general[0]), lines)
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
     with script.stage("stage.there", "hint.there"):
         own = {f.variable(k.index): Symbol(k.name) for k in model.coordinates}
@@ -139,23 +143,48 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
             before = tidy(f.lowest_terms(general[0]))
             is_found = any((parts[0] - f.variable(u)).is_zero() for u in found)
             if before != shown and not is_found:
-                own = tuple(dict.fromkeys(line for _v, line in found.values())) or uses
-                last = script.line(symbol, before, why="course.general", args={"lines": own}, uses=own, when="event")
-                uses = (*uses, last)
+                own = tuple(dict.fromkeys(line for _v, line in found.values()))
+                unsolved = (tidy(parts[0]),) if own else ()
+                why = "course.general" if own else "course.general_state"
+                last = script.line(symbol, *unsolved, before, why=why, args={"lines": own}, uses=own, when="event")
+                uses = (*lines, last)
         script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
     _ends_in_answer(way, there[0])
+
+
+def _standing_in(script: Script, value: Expr, lines: Sequence[int]) -> tuple[int, ...]:
+    """Of the lines of a motion those for what stands in a formula, and for the time where it stands in them; all of
+    them, where none is for it."""
+    inside = _variables(value)
+    meant = [line for line in lines_of(script.stages) if line.number in lines and line.sides[0] in inside]
+    if any(TIME.name in names_in(line.sides[-1]) for line in meant):
+        meant += [line for line in lines_of(script.stages) if line.sides[0] == TIME and line not in meant][-1:]
+    return tuple(line.number for line in meant) or tuple(lines)
+
+
+def _variables(e: Expr) -> set[Expr]:
+    """The symbols of a formula, and the rates."""
+    if isinstance(e, Symbol) or (isinstance(e, Call) and e.function == "rate"):
+        return {e}
+    return set[Expr]().union(*map(_variables, children(e)))
 
 
 @_tell_asked.register(Change)
 def _change(q: Change, way: AtEvent, lines: Sequence[int]) -> None:
     """How much a measure has changed."""
-    _counted(q, way, lines, "course.changed")
+    _counted(q, way, _of_measure(way, q.measure, lines), "course.changed")
 
 
 @_tell_asked.register(Travelled)
 def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
     """How far a measure has gone: one way, or to and fro from one turn to the next."""
-    _counted(q, way, lines, "course.travelled")
+    _counted(q, way, _of_measure(way, q.measure, lines), "course.travelled")
+
+
+def _of_measure(way: AtEvent, measure: Measure, lines: Sequence[int]) -> tuple[int, ...]:
+    """The lines of what a measure depends on."""
+    f, state = way.context.setup.model.field, way.context.setup.state
+    return _standing_in(way.script, tidy(f.lowest_terms(f.element(state.value(measure)))), lines)
 
 
 @_tell_asked.register(PathLength)

@@ -15,6 +15,7 @@ from freebody.narrative.lines.script import DerivationStage, Script
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.momentum import by_method, parts_of
 from freebody.narrative.principles.newton import Solved, same_answer
+from freebody.narrative.questions.initial import tell_start
 from freebody.narrative.questions.state import AnswerParts, PlanarTelling, StateTelling
 from freebody.narrative.space.spatial import SpatialTelling
 from freebody.questions.reading import Question
@@ -103,6 +104,8 @@ def finish(
     if is_there and not script.stages and not question.at_start:  # an earlier derivation has found it
         with script.stage("stage.value"):
             script.say("result.found", line=last)
+    is_rate = question.at_start and not found and _is_own_rate(context, parts)  # the start says it
+    is_there |= is_rate
     drawn_back = next((u for u in found if len(parts) == 1 and (parts[0] + f.variable(u)).is_zero()), None)
     if not is_there:
         stage = _last_stage(None if before is None else before.total) if drawn_back is None else ("stage.counted", "")
@@ -118,7 +121,9 @@ def finish(
                 sides.append(before.total)
             elif found and unsolved not in (shown, called):
                 sides.append(unsolved)
-            why, args = ("value.follows" if lines else "value.is"), dict[str, Argument](lines=lines)
+            is_of_given = not model.coordinates and not model.dependent
+            why, args = "value.is_given" if is_of_given else "value.is", dict[str, Argument](lines=lines)
+            why = "value.follows" if lines else why
             if not lines and question.quantity.is_of_parameters and question.quantity.is_by_law:
                 why = "answer.by_law"
             if drawn_back is not None:
@@ -128,16 +133,28 @@ def finish(
     if question.at_start:
         with script.stage("stage.start", "hint.start"):
             here = setup.start_for(question.quantity)
+            is_told = not is_rate and tell_start(
+                context, script, set[int]().union(*(f.ingredients(part) for part in general))
+            )
             wanted = tuple(f.lowest_terms(here.here(part)) for part in general)
             shown = written(wanted)
             left = called if not is_there else tidy(parts[0])
             after = context.after_blow if setup.system.is_struck else ()
             args = {"lines": (last,), "given": after}
-            why = "value.after_blow" if after else "value.start"
-            last = script.line(left, shown, why=why, args=args, uses=(last, *after), when="start")
+            why = "value.after_blow" if after else "value.start_with" if is_told else "value.start"
+            if is_rate:
+                why = "value.just_after" if after else "value.at_start"
+            uses = after if is_rate else (last, *after)
+            last = script.line(left, shown, why=why, args=args, uses=uses, when="start")
     left = called if not is_there else tidy(parts[0])
     tell_loops(context, script, wanted, left, last, "start" if question.at_start else "always")
     _ends_in_answer(context, question, wanted)
+
+
+def _is_own_rate(context: Context, parts: Sequence[Ratio]) -> bool:
+    """Whether what is asked is the rate of a coordinate, which has its own symbol."""
+    f = context.setup.model.field
+    return len(parts) == 1 and any((parts[0] - f.variable(c.speed)).is_zero() for c in context.setup.model.coordinates)
 
 
 @dataclass(frozen=True)

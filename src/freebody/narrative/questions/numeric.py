@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from contextlib import suppress
+
 from freebody.errors import CannotAnswer
 from freebody.narrative.context import Context, Derive, Method
 from freebody.narrative.lines.script import DerivationStage, Script, ready
@@ -25,7 +27,7 @@ def or_in_numbers(derive: Derive) -> Derive:
         except CannotAnswer:
             if answer.chain is not None and answer.expression is not None and is_given_pose(context.setup):
                 return of_pose(context)
-            if answer.expression is not None or not answer.reason or not _is_plain(context):
+            if answer.expression is not None or not answer.reason or not _is_plain(context) or _cannot_move(context):
                 raise
             return in_numbers(context, answer)
 
@@ -41,6 +43,13 @@ def of_pose(context: Context) -> list[DerivationStage]:
     with script.stage("stage.value"):
         script.say("unclosed.balance")
     return script.stages
+
+
+def _cannot_move(context: Context) -> bool:
+    """Whether there is no motion to be followed."""
+    with suppress(CannotAnswer):
+        return context.acting.stands_still
+    return False
 
 
 def _is_plain(context: Context) -> bool:

@@ -9,6 +9,7 @@ from freebody.errors import ExpressionError
 from freebody.language.expression import Symbol, free_symbols
 from freebody.language.parser import parse
 from freebody.language.sentences import NOTHING, Argument, Sentence
+from freebody.narrative.bounds import number_with_unit
 from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
@@ -92,7 +93,7 @@ def _when(question: Question, system: System) -> Argument:
     q = question.quantity
     word = "time" if q.is_of_event else "until" if q.scope == "course" else "when"
     if question.at_start and not question.quantity.is_of_start:  # an impact says itself when it is
-        return Sentence("ask.at_start")
+        return Sentence("ask.after_blow" if system.is_struck else "ask.at_start")
     if question.transition is not None and question.event is not None:  # the first such event behind a blow
         behind = {"when": _when(replace(question, transition=None), system), "n": question.transition.count}
         return Sentence("ask.behind_blow", behind)
@@ -125,7 +126,9 @@ def _when(question: Question, system: System) -> Argument:
         return Sentence(f"ask.{word}_{'distance' if event.is_distance else 'change'}", {"what": what, "by": by})
     name = next((name for name, measure in system.measures.items() if measure == event.measure), None)
     if name is not None:
-        return Sentence(f"ask.{word}", {"left": rates_of(name, event.order), "right": event.value})
+        again = "_again" if event.text.endswith(" again") else ""
+        right = number_with_unit(event.value, event.measure.dimension, event.order)
+        return Sentence(f"ask.{word}{again}", {"left": rates_of(name, event.order), "right": right})
     left, equals, _right = event.text.partition("=")
     try:
         if equals and " of " not in left:  # else words

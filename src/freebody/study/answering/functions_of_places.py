@@ -48,9 +48,7 @@ def as_function(system: System, question: Question, event: AnyPlace, solve: Solv
         return anywhere
     p = _free_name(system)
     try:
-        made = _with_place(system, question, event, p)
-        there = QuestionEvent(event.measure, 0, Symbol(p), f"{event.name} = {p}")
-        found = asked(made, replace(question, event=there, options={}, key=None))
+        found = asked(*at_place(system, question, event, p))
     except (CannotAnswer, ModelError, InputError) as error:
         found = refused(question, str(error))
     if found.expression is not None:
@@ -69,6 +67,13 @@ def _is_of_place_alone(system: System, answer: Answer, name: str) -> bool:
     parts = [part for e in formulas for part in (e if isinstance(e, tuple) else (e,))]
     inside = frozenset[str]().union(*map(free_symbols, parts))
     return "rate(" not in ", ".join(map(to_python, parts)) and inside <= {*system.parameters, name, "pi"}
+
+
+def at_place(system: System, question: Question, event: AnyPlace, p: str) -> tuple[System, Question]:
+    """The system with a place of its motion as a parameter p, and the question at that place. Raises CannotAnswer where
+    the motion comes to no other place than that of the start."""
+    there = QuestionEvent(event.measure, 0, Symbol(p), f"{event.name} = {p}")
+    return _with_place(system, question, event, p), replace(question, event=there, options={}, key=None)
 
 
 def _with_place(system: System, question: Question, event: AnyPlace, p: str) -> System:
@@ -116,13 +121,15 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
     def told(text: str) -> str:
         if isinstance(text, Stated):
             sides = text.sides and (put(text.sides[0]), text.sides[1], put(text.sides[2]))
+            if sides and sides[0] == sides[2]:  # that the place is reached
+                return Shown(to_text(sides[0]), sides[0])
             return Stated(told(text.words), re.sub(rf"\b{p}\b", name, text.expression), sides)
         if isinstance(text, Message):
             parts = {key: told(x) if isinstance(x, str) else x for key, x in text.arguments.items()}
             return text.of(**parts)
         symbol = to_text(Symbol(name))
         shown = str.replace(text, to_text(Symbol(p)), symbol).replace(p, name)
-        for own in (symbol, name):  # that the place is reached
+        for own in (symbol, name):  # the same in a text
             shown = shown.replace(f"{own} = {own}", own)
         of = text.of if isinstance(text, Shown) else None
         return Shown(shown, put(of)) if isinstance(of, Expr) else shown
