@@ -26,14 +26,14 @@ from freebody.questions.turned_round import reached_in
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-LastingKind = Literal["touches", "rolls", "stands"]
+LastingKind = Literal["touches", "rolls", "stands", "locks"]
 
 
 @dataclass(frozen=True)
 class Lasting:
     """A state of connections that is so in every phase: they touch (strings are taut), nothing slips in them, or no
-    body tips: of its places that touch at the start none opens while another, or a hinge, stays. `of` are the
-    connections that are meant; none means all."""
+    body tips: of its places that touch at the start none opens while another, or a hinge, stays; or what slides at the
+    start locks itself. `of` are the connections that are meant; none means all."""
 
     kind: LastingKind
     of: tuple[str, ...]
@@ -109,6 +109,7 @@ _STATES: tuple[tuple[str, LastingKind], ...] = (
     (r"(?:does not|never) (?:slips?|slides?)(?: (?:as|while) it rolls)?", "rolls"),
     (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
     (r"(?:does not|never) tips?(?: over)?", "stands"),
+    (r"(?:locks (?:itself|by itself)|is self-?locking|jams|seizes)", "locks"),
 )
 _ROLLS = re.compile(rf"^{_SUBJECT} rolls$")  # where it is let go; what is thrown comes to roll
 _TIPS = re.compile(rf"^{_SUBJECT} tips(?: over)?$")
@@ -177,7 +178,7 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         before = read_event(names, _as_equation(limit), path) if before is None else before
         if before is None:
             return None
-    is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind == "stands")
+    is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind in ("stands", "locks"))
     gone = _ESCAPES.match(head)
     away = None if gone is None else names.measures.get(_outward(names, gone["of"]) or "")
     return Happening(what, whole, before, is_of_start, is_so, away if isinstance(away, Distance) else None)
@@ -207,6 +208,8 @@ def _stated(
         return Lasting("rolls", (), text), True
     for pattern, kind in _LASTING:
         found = pattern.match(text)
+        if found is not None and kind == "locks" and names.lets_go_from_rest:
+            return None  # what rests locks itself where it stays at rest, however large the load is
         if found is not None and found["of"] not in names.measures:
             of = _of(names, found.groupdict(), path)
             if kind == "touches":
