@@ -1,4 +1,4 @@
-"""Events on the way of what turns back against friction: which of two ways to a place is taken is told by conditions."""
+"""Events on the way of what turns back against friction: which of two ways leads to a place is told by conditions."""
 
 from __future__ import annotations
 

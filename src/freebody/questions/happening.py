@@ -82,6 +82,13 @@ class StableEquilibrium(Happening):
 
 
 @dataclass(frozen=True)
+class ExistingEquilibrium(Happening):
+    """Whether there is an equilibrium."""
+
+    scope = "small motion"
+
+
+@dataclass(frozen=True)
 class StableSteadyMotion(Happening):
     """Whether the steady motion of the start is stable."""
 
@@ -144,6 +151,10 @@ _STABLE = re.compile(
 )
 
 
+_BALANCES = re.compile(
+    rf"^(?:(?:an?|the|any) equilibrium(?: position)?(?: of (?:the )?{NAME})? (?:exists|is (?:there|possible))"
+    r"|there is (?P<none>no |an? )?equilibrium(?: position)?)$"
+)
 _STEADY = re.compile(r"^(?:the |this |its )?steady (?:motion|rotation|precession|state) is (?P<not>un|not )?stable$")
 _EXISTS = re.compile(
     r"^(?:(?:the |this |a |such a )?steady (?:motion|rotation|precession|turning) (?:exists|is (?:there|possible))"
@@ -160,6 +171,8 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         return StableSteadyMotion(None, whole, is_so=steady["not"] is None)
     if (fails := _FAILS.match(whole)) is not None:
         return _fails_first(names, whole, fails, path)
+    if not _is_rough(names) and (balances := _BALANCES.match(whole)) is not None:
+        return ExistingEquilibrium(None, whole, is_so=balances["none"] != "no ")
     if (exists := _EXISTS.match(whole)) is not None:
         return ExistingSteadyMotion(None, whole, is_so=exists["none"] != "no ")
     parts = _BEFORE.match(whole)
@@ -182,6 +195,11 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
     gone = _ESCAPES.match(head)
     away = None if gone is None else names.measures.get(_outward(names, gone["of"]) or "")
     return Happening(what, whole, before, is_of_start, is_so, away if isinstance(away, Distance) else None)
+
+
+def _is_rough(names: Names) -> bool:
+    """Whether dry friction holds something: then there is rest in many poses, and is asked for as such."""
+    return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
 
 
 def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:

@@ -20,7 +20,7 @@ from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.existing import where_there_is_one
+from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
 from freebody.questions.spoken.for_good import at_last_rest, without_for_good
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
@@ -141,6 +141,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
         return forced
+    if (exists := for_which_there_is_one(names, text)) and (ranged := _quietly_one(names, exists, read)):
+        return ranged
     if (exists := where_there_is_one(names, text)) is not None:
         names.problem(exists, "find")
         return []
