@@ -26,14 +26,14 @@ from freebody.questions.turned_round import reached_in
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-LastingKind = Literal["touches", "rolls", "stands"]
+LastingKind = Literal["touches", "rolls", "stands", "locks"]
 
 
 @dataclass(frozen=True)
 class Lasting:
     """A state of connections that is so in every phase: they touch (strings are taut), nothing slips in them, or no
-    body tips: of its places that touch at the start none opens while another, or a hinge, stays. `of` are the
-    connections that are meant; none means all."""
+    body tips: of its places that touch at the start none opens while another, or a hinge, stays; or what slides at the
+    start locks itself. `of` are the connections that are meant; none means all."""
 
     kind: LastingKind
     of: tuple[str, ...]
@@ -82,6 +82,13 @@ class StableEquilibrium(Happening):
 
 
 @dataclass(frozen=True)
+class ExistingEquilibrium(Happening):
+    """Whether there is an equilibrium."""
+
+    scope = "small motion"
+
+
+@dataclass(frozen=True)
 class StableSteadyMotion(Happening):
     """Whether the steady motion of the start is stable."""
 
@@ -109,6 +116,7 @@ _STATES: tuple[tuple[str, LastingKind], ...] = (
     (r"(?:does not|never) (?:slips?|slides?)(?: (?:as|while) it rolls)?", "rolls"),
     (rf"{_STAYS} rolling(?: without (?:slip|slipping|sliding))?", "rolls"),
     (r"(?:does not|never) tips?(?: over)?", "stands"),
+    (r"(?:locks (?:itself|by itself)|is self-?locking|jams|seizes)", "locks"),
 )
 _ROLLS = re.compile(rf"^{_SUBJECT} rolls$")  # where it is let go; what is thrown comes to roll
 _TIPS = re.compile(rf"^{_SUBJECT} tips(?: over)?$")
@@ -143,6 +151,10 @@ _STABLE = re.compile(
 )
 
 
+_BALANCES = re.compile(
+    rf"^(?:(?:an?|the|any) equilibrium(?: position)?(?: of (?:the )?{NAME})? (?:exists|is (?:there|possible))"
+    r"|there is (?P<none>no |an? )?equilibrium(?: position)?)$"
+)
 _STEADY = re.compile(r"^(?:the |this |its )?steady (?:motion|rotation|precession|state) is (?P<not>un|not )?stable$")
 _EXISTS = re.compile(
     r"^(?:(?:the |this |a |such a )?steady (?:motion|rotation|precession|turning) (?:exists|is (?:there|possible))"
@@ -159,6 +171,8 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         return StableSteadyMotion(None, whole, is_so=steady["not"] is None)
     if (fails := _FAILS.match(whole)) is not None:
         return _fails_first(names, whole, fails, path)
+    if not _is_rough(names) and (balances := _BALANCES.match(whole)) is not None:
+        return ExistingEquilibrium(None, whole, is_so=balances["none"] != "no ")
     if (exists := _EXISTS.match(whole)) is not None:
         return ExistingSteadyMotion(None, whole, is_so=exists["none"] != "no ")
     parts = _BEFORE.match(whole)
@@ -177,10 +191,15 @@ def read_happening(names: Names, text: str, path: Path) -> Happening | None:
         before = read_event(names, _as_equation(limit), path) if before is None else before
         if before is None:
             return None
-    is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind == "stands")
+    is_of_start = at_once is not None or (isinstance(what, Lasting) and what.kind in ("stands", "locks"))
     gone = _ESCAPES.match(head)
     away = None if gone is None else names.measures.get(_outward(names, gone["of"]) or "")
     return Happening(what, whole, before, is_of_start, is_so, away if isinstance(away, Distance) else None)
+
+
+def _is_rough(names: Names) -> bool:
+    """Whether dry friction holds something: then there is rest in many poses, and is asked for as such."""
+    return any(row.reaction.startswith("friction force") for row in names.constraint_rows)
 
 
 def _fails_first(names: Names, text: str, found: re.Match[str], path: Path) -> Happening | None:
@@ -207,6 +226,8 @@ def _stated(
         return Lasting("rolls", (), text), True
     for pattern, kind in _LASTING:
         found = pattern.match(text)
+        if found is not None and kind == "locks" and names.lets_go_from_rest:
+            return None  # what rests locks itself where it stays at rest, however large the load is
         if found is not None and found["of"] not in names.measures:
             of = _of(names, found.groupdict(), path)
             if kind == "touches":

@@ -73,7 +73,7 @@ def _turned_round(
         names.unknown(name, names.no_parameter(name), "find")
         return None
     # what is to be so: a quantity largest, an inequality, a full turn, something that happens, a place that is reached
-    relation, is_just = without_just(as_timed(locking(steadily(relation))))
+    relation, is_just = without_just(as_timed(locking(names, steadily(relation))))
     relation = _as_force(names, relation)
     if when is None and event_at_end(names, relation)[1] is None and without_start(relation) == relation:
         relation = over_the_motion(relation)

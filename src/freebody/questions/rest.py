@@ -7,9 +7,11 @@ does it tip or slide as F grows         does it hold        range of normal forc
 from __future__ import annotations
 
 import re
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Literal
 
+from freebody.language.expression import free_symbols
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO
@@ -44,6 +46,7 @@ class RestLimit(AtRest, kind="limit of rest"):
     of_parameter: Dimension
     is_angle: bool = False
     is_of_slip: bool = False  # that nothing slips is asked for, in words that hold of what moves as well
+    without: tuple[str, ...] = ()  # loads that are left out
 
     example = """
 parameters: {F: 20 N}
@@ -98,6 +101,8 @@ questions: {it: does it tip or slide as F grows}
 class Holds(AtRest, kind="holds"):
     """Whether the system stays at rest."""
 
+    without: tuple[str, ...] = ()
+
     example = """
 parameters: {F: 20 N}
 ground: {lines: {floor: {along: right}}}
@@ -141,6 +146,8 @@ _REST = (
     r"|holds?|does not (?:move|fall)|neither slips nor tips|(?:keeps|holds) (?:it|the system) at rest"
     r"|nothing moves|(?P<slips>does not (?:slip|slide)|nothing (?:slips|slides)))"
 )
+# what is to hold by itself, as a wedge that is not driven, is asked for without a load
+_WITHOUT = rf"(?:,? without (?:the )?(?:force |torque |load |moment )?(?P<without>{NAME}))?"
 _KIND = (
     r"(?:(?:coefficient of (?:static )?friction|friction coefficient|force|torque|mass|angle|value|distance) )?(?:of )?"
 )
@@ -153,7 +160,7 @@ _WHICH: dict[str, Which] = {
 _RANGE = rf"(?:range|interval|values) of {_KIND}(?P<of>{NAME})"
 _END = rf"(?P<which>{'|'.join(_WHICH)}) {_KIND}(?P<of>{NAME}) {_REST}"
 _ENDED = _END.replace("(?P<of>", "(?:").replace("(?P<slips>", "(?:").replace("(?P<who>", "(?:")
-_STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_ENDED})$")
+_STAYS = re.compile(rf"^(?:the )?(?:{_RANGE} {_REST}|{_ENDED}){_WITHOUT}$")
 
 
 def asks_for_rest(phrase: str) -> bool:
@@ -163,7 +170,7 @@ def asks_for_rest(phrase: str) -> bool:
 
 @asked(
     "range of PARAMETER that keeps it at rest",
-    rf"{_RANGE}(?: {_REST})?",
+    rf"{_RANGE}(?: {_REST})?{_WITHOUT}",
     rank=RANK,
 )
 def _range(names: Names, found: Found, path: Path) -> Quantity | None:
@@ -172,7 +179,7 @@ def _range(names: Names, found: Found, path: Path) -> Quantity | None:
 
 @asked(
     "least | largest PARAMETER so that it stays at rest",
-    _END,
+    f"{_END}{_WITHOUT}",
     rank=RANK,
     example="""
 parameters: {mu: 0.35}
@@ -205,8 +212,36 @@ def _limit(names: Names, found: Found, which: Which, path: Path) -> RestLimit | 
     if not _is_all(names, found["who"], path):
         return None
     name = found["of"]
-    p = _parameter(names, name, path)
-    return None if p is None else RestLimit(name, which, p.dimension, p.is_angle, found["slips"] is not None)
+    p, without = _parameter(names, name, path), _left_out(names, found["without"], path)
+    if p is None or without is None:
+        return None
+    if without and name in _symbols_of(names, without):
+        names.problem(Message("{name} is what {load} acts with, which is left out", name=name, load=without[0]), *path)
+        return None
+    return RestLimit(name, which, p.dimension, p.is_angle, found["slips"] is not None, without)
+
+
+def _left_out(names: Names, name: str | None, path: Path) -> tuple[str, ...] | None:
+    """The load of a name, or that which a parameter alone gives; None after noting that there is none."""
+    if name is None:
+        return ()
+    found = loads_by(names, name)
+    if len(found) != 1:
+        hint = did_you_mean(name, names.loads)
+        names.unknown(name, Message("{name} is no load that could be left out.{hint}", name=name, hint=hint), *path)
+        return None
+    return (found[0],)
+
+
+def loads_by(names: Names, name: str) -> list[str]:
+    """The load of a name, or those that vanish with a parameter."""
+    return [name] if name in names.loads else [load for load in names.loads if name in _symbols_of(names, (load,))]
+
+
+def _symbols_of(names: Names, loads: Sequence[str]) -> set[str]:
+    """The forces and torques among the parameters with which loads act."""
+    used = {x for push in names.applied_loads if push.load in loads for x in free_symbols(push.law)}
+    return {x for x in used if (p := names.parameters.get(x)) is not None and p.dimension in (FORCE, TORQUE)}
 
 
 @asked(
@@ -255,11 +290,13 @@ def _parameter(names: Names, name: str, path: Path) -> Parameter | None:
 @asked(
     "does it hold",
     rf"(?:[Dd]oes (?:it|the (?P<who>{NAME})) (?:hold|stay at rest|remain at rest)"
-    rf"|[Ii]s (?:it|the (?P<whose>{NAME})) (?:at rest|in equilibrium))\??",
+    rf"|[Ii]s (?:it|the (?P<whose>{NAME})) (?:at rest|in equilibrium)){_WITHOUT}\??",
     rank=RANK,
 )
 def _holds(names: Names, found: Found, path: Path) -> Quantity | None:
-    return Holds() if _is_all(names, found["who"] or found["whose"], path) else None
+    without = _left_out(names, found["without"], path)
+    is_all = without is not None and _is_all(names, found["who"] or found["whose"], path)
+    return Holds(without or ()) if is_all else None
 
 
 @asked(

@@ -16,6 +16,8 @@ from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.turned_round import has_thread
+from freebody.questions.whether import read_whether
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -128,6 +130,11 @@ _LOCKS = "self-?locking"
 )
 def _locks(names: Names, found: Found, path: Path) -> Quantity | None:
     of = found["of"] or found["its"]
+    if found["of"] and not has_thread(names, of):
+        with names.quietly():
+            locks = read_whether(names, f"{of} locks itself", path)
+        if locks is not None:
+            return locks
     thread = _thread(names, of, path)
     return None if thread is None else LockingReserve(of, thread.static - thread.slope)
 

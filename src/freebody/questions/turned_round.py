@@ -8,12 +8,15 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass, replace
-from typing import Literal
+from typing import TYPE_CHECKING, Literal
 
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension
 from freebody.questions.base import NAME, Described, Quantity, Wanted
+
+if TYPE_CHECKING:
+    from freebody.model.names import Names
 
 FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EVENT]
     range of PARAMETER for which QUANTITY > | < | >= | <= EXPRESSION [at start | when EVENT]
@@ -191,9 +194,18 @@ def inequality_of(relation: str) -> tuple[str, str, str] | None:
 _LOCKS = re.compile(rf"^(?:the )?(?P<of>{NAME}) (?:is self-?locking|locks itself)$")
 
 
-def locking(relation: str) -> str:
-    """That a screw is self-locking, as an inequality of its friction and its slope."""
-    return _LOCKS.sub(r"self-locking of \g<of> >= 0", relation)
+def locking(names: Names, relation: str) -> str:
+    """That a screw is self-locking, as an inequality of its friction and its slope; of a contact it is a state."""
+    found = _LOCKS.match(relation)
+    return relation if found is None or not has_thread(names, found["of"]) else f"self-locking of {found['of']} >= 0"
+
+
+def has_thread(names: Names, name: str) -> bool:
+    """Whether a name is that of a screw or a worm."""
+    if (connection := names.connections.get(name)) is None:
+        return False
+    with names.quietly():
+        return not isinstance(connection.thread(names), str)
 
 
 _ALWAYS = r"(?:always |all the time )?(?:stays?|remains?|keeps?|is always)(?: always)?"

@@ -42,6 +42,8 @@ def _asking_conserved(q: Conserved, system: System, question: Question) -> Sente
 
 @_asking.register(RestLimit)
 def _asking_rest(q: RestLimit, system: System, question: Question) -> Sentence:
+    if q.without:
+        return Sentence("ask.any", {"text": question.text})
     slips = "_slip" if q.is_of_slip else ""
     return Sentence(f"ask.rest_{q.which}{slips}", {"parameter": Symbol(q.parameter)})
 
@@ -58,7 +60,7 @@ def _asking_stability(q: SteadyStability, system: System, question: Question) ->
 
 @_asking.register(Holds)
 def _asking_holds(q: Holds, system: System, question: Question) -> Sentence:
-    return Sentence("ask.rest_holds")
+    return Sentence("ask.any", {"text": question.text}) if q.without else Sentence("ask.rest_holds")
 
 
 def headline(system: System, question: Question) -> Sentence:

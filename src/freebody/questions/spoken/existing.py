@@ -13,6 +13,17 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_WORD = re.compile(r"[^\W\d]\w*")
+
+
+def for_which_there_is_one(names: Names, text: str) -> str | None:
+    """The words of the grammar where a text asks for which values of one parameter there is an equilibrium."""
+    said = [word for word in dict.fromkeys(_WORD.findall(text)) if word in names.parameters]
+    if len(said) != 1 or where_there_is_one(names, text) is None:
+        return None
+    return f"range of {said[0]} for which an equilibrium exists"
+
+
 def where_there_is_one(names: Names, text: str) -> Message | None:
     """What is said of a text that asks where an equilibrium exists, in a model whose measures tell it. With friction
     rest is possible in many poses, and is asked as such."""

@@ -473,6 +473,11 @@ def _at(names: Names, mark: str, clause: Clause) -> Groups:
                 else []
             )
             return
+        if clause.all("verb") == ["taut"] and clause.only("verb", "name", "pronoun", "preposition"):  # with a jerk
+            strings = [name for _, name in clause.names]
+            if all(name in names.connections for name in strings) and len(strings) <= 1:
+                yield [" after the impact" + "".join(f" of {name}" for name in strings)]
+                return
     starts = [instant for instant in clause.all("instant") if instant == "at start"]
     if starts and clause.only("instant", "pronoun", "name"):
         yield [" at start"]

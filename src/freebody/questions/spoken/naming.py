@@ -17,7 +17,7 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.units import TORQUE
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.spoken import by_side, joining, lookup, motors, of_axles, strings
+from freebody.questions.spoken import by_side, joining, lookup, motors, of_axles, rubbing, strings
 from freebody.questions.spoken.elements import ALIKE, INFERRED, WRITTEN, Elements
 from freebody.questions.spoken.lexicon import (
     CLOSE,
@@ -54,6 +54,7 @@ _ROPES = ("rope", "string", "cord", "thread", "cable", "wire")
 _RUBBING = ("capstan", "bollard", "rope friction")  # a string that runs on nothing rough is no such thing
 _RODS = ("rod", "bar", "strut", "link")
 _WHEELS = ("wheel",)
+_BRAKES = ("brake", "brakes", "brake shoe", "shoe brake", "block brake", "pad")
 _GEARS = ("gear", "gearwheel")
 _BALLS = ("ball", "bead")
 _WALL_WORDS = ("wall",)
@@ -132,6 +133,9 @@ def elements_of(names: Names) -> Elements:
         alike = [word for word in _alike(name, *said) if pulls or word not in _ROPES]  # a guide called line is no rope
         found.add(name, (*said, *alike, *_JOINT_WORDS, *(_OF_A_TRUSS if nodes and name in links else ())))
         found.touching[name] = frozenset(names.connections[name].mentions(names))
+    if not any("brake" in element.words for element in found.exact.values()):  # a shoe that rubs a wheel on its axle
+        for name in rubbing.on_wheels(names):
+            found.add(name, _BRAKES)
     for name, said in touching:  # the bearing of the pulley, where it has one
         if said_once[said] == 1:
             found.add(name, said=said, distance=INFERRED)

@@ -112,8 +112,13 @@ def structure(names: Names, sentence: Sentence) -> Groups:
         verbs == {"self_locking"} and main.only("verb", "name", "ask", *SILENT) and not is_chosen
     ):  # rest needs no torque
         yield [f"is {name} self-locking" for name in joining.threads(names, of)]
+        locks = rubbing.locking_itself(names, of)
+        yield [each.replace("it stays at rest", "does it hold") for each in locks if "at rest" in each]
+        yield [f"whether {each}" for each in locks if "at rest" not in each]
         pushes = [
-            name for name in given.of_kind(names, "torque") if name in given.chosen(names, given.KIND_OF["torque"], [])
+            name
+            for name in given.of_kind(names, "torque")
+            if joining.threads(names, []) and name in given.chosen(names, given.KIND_OF["torque"], [])
         ]
         yield [f"range of {push} that keeps it at rest" for push in pushes]
     if "assemble" in verbs and not main.has("quantity") and not of:

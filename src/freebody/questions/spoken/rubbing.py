@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.expression import free_symbols
+from freebody.measures.geometry import GROUND
+from freebody.model.elements import RATE, VALUE
 from freebody.questions.course import can_change, sticking
-from freebody.questions.spoken import lookup
+from freebody.questions.spoken import lookup, of_axles
 from freebody.questions.spoken.driving import drive_parameters, driven
-from freebody.questions.spoken.joining import ends_of, is_joined, threads, touches
+from freebody.questions.spoken.joining import ends_of, is_joined, may_open, threads, touches
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -33,6 +36,19 @@ def rough(names: Names, thing: str) -> list[str]:
         row.connection for row in names.constraint_rows if row.reaction.startswith("friction force")
     )
     return [name for name in joints_ if not thing or touches(names, name, thing)]
+
+
+def on_wheels(names: Names) -> list[str]:
+    """Contacts with dry friction between what turns about an axle in its middle and a body that does not: the shoes of
+    a brake."""
+    wheels = {name for name in names.bodies if name != GROUND and of_axles.axle_of(names, name) == "center"}
+    return [
+        name
+        for name in rough(names, "")
+        if may_open(names, name)
+        and len(bodies := names.connections[name].mentions(names) - {GROUND}) == 2
+        and len(bodies & wheels) == 1
+    ]
 
 
 def is_all_that_slips(names: Names, body: str) -> bool:
@@ -63,6 +79,33 @@ def slipping_belt(names: Names, things: list[str]) -> str | None:
     with names.quietly():
         _bounds, slips = names.connections[name].bounds(names, name)
     return name if slips else None
+
+
+def self_locking(names: Names, things: list[str]) -> list[str]:
+    """What says that some things lock themselves: by the slope of a thread, else by what their friction presses."""
+    return [f"{name} is self-locking" for name in threads(names, things)] or locking_itself(names, things)
+
+
+def locking_itself(names: Names, things: list[str]) -> list[str]:
+    """The same of what slides. What rests under one load alone locks itself where it stays at rest, however large that
+    is; what is held by a push as well, where it does so without it."""
+    if threads(names, things):
+        return []
+    found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in things)]
+    if found and lookup.rests(names):
+        pushes = chosen_pushes(names)
+        if len(names.loads) == 1:
+            return ["it stays at rest"]
+        return [f"it stays at rest without {pushes[0]}"] if len(pushes) == 1 else []
+    return [f"{found[0]} locks itself"] if len(found) == 1 else ["it locks itself"] if found else []
+
+
+def chosen_pushes(names: Names) -> list[str]:
+    """Forces and torques that somebody exerts: no weight, spring or damper."""
+    given = {VALUE.name, RATE.name}
+    follows = {push.load for push in names.applied_loads if push.measures or given & free_symbols(push.law)}
+    weights = {load for load in names.loads if "gravity" in names.called.get(load, ())}
+    return [load for load in names.loads if load not in follows | weights]
 
 
 def is_rough(names: Names) -> bool:

@@ -366,12 +366,14 @@ def _happening(names: Names, verbs: set[str], negated: bool, who: str, of: list[
         yield held
     elif verbs == {"leave"} and negated:
         yield [f"{who or 'it'} never leaves {other}".strip() if other else f"{who or 'it'} stays on"]
+    elif verbs == {"taut"} and not negated and "stop" in names.called.get(who, ()):  # which is open until then
+        yield [f"{who} becomes taut"]
     elif (verbs == {"slack"} and negated) or (verbs in _TAUT and not negated):
         yield [f"{who or 'it'} stays taut"]
     elif verbs == {"turn_fully"} and not negated and who and not stands(names, who):
         yield [f"{who} turns fully"]
     elif verbs == {"self_locking"} and not negated:
-        yield [f"{thread} is self-locking" for thread in joining.threads(names, of)]
+        yield rubbing.self_locking(names, of)
     elif (verbs == {"stable"} and not negated) or (verbs == {"unstable"} and negated):
         moves = lookup.is_controlled(names) or lookup.is_forced(names)
         yield ["the equilibrium is stable"] if not moves else []

@@ -20,7 +20,8 @@ from freebody.questions.spoken.braking import limits_of_braking
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.existing import where_there_is_one
+from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
+from freebody.questions.spoken.for_good import at_last_rest, without_for_good
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
@@ -31,6 +32,7 @@ from freebody.questions.spoken.keeping import (
     loses_sign,
 )
 from freebody.questions.spoken.kinds import is_of_kind
+from freebody.questions.spoken.leaving_out import at_rest_without, holds_without_which, without_load
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
@@ -125,6 +127,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return later
     if (between := between_impacts(text)) and not isinstance(timed := read_quietly(names, between, read), Unread):
         return [*zip(timed, (between,), strict=True)]
+    if (left_out := without_load(names, text)) is not None:
+        return at_rest_without(names, left_out[1], understood(names, left_out[0], read), read)
+    if (once := without_for_good(text)) is not None:
+        return at_last_rest(names, understood(names, once, read), read)
     if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
         return multiple
     if (share := share_of_weight(names, text)) is not None:
@@ -135,6 +141,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, balancing, read)
     if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
         return forced
+    if (exists := for_which_there_is_one(names, text)) and (ranged := _quietly_one(names, exists, read)):
+        return ranged
     if (exists := where_there_is_one(names, text)) is not None:
         names.problem(exists, "find")
         return []
@@ -183,6 +191,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         ways = "\n    ".join(islice(nearest, MOST))
         several_ways = Message("'{text}' can be meant in several ways. Ask for\n    {ways}", text=text, ways=ways)
         names.problem(several_ways, "find")
+    elif (which := holds_without_which(names, text)) is not None:
+        names.problem(which, "find")
     elif (other := other_value(names, text) or what_does_not_hold(names, text, is_of_train=of_train)) is not None:
         names.problem(other, "find")
     elif (slips := _told_of_words(names, text)) is not None:

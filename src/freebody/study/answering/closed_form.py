@@ -17,7 +17,12 @@ from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.extent import ExtremeOfMotion
-from freebody.questions.happening import ExistingSteadyMotion, StableEquilibrium, StableSteadyMotion
+from freebody.questions.happening import (
+    ExistingEquilibrium,
+    ExistingSteadyMotion,
+    StableEquilibrium,
+    StableSteadyMotion,
+)
 from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import OfSmallMotion, RestValue, SmallOscillations
@@ -245,6 +250,11 @@ class QuestionSolver(FindingAtEvents):
             from freebody.study.small_motion.stable_for import stability
 
             return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
+
+        if isinstance(q.of, ExistingEquilibrium):
+            from freebody.study.small_motion.exists_for import existence as of_rest
+
+            return solved_for(self.setup, self.question, of_rest(self.setup, is_so=q.of.is_so))
 
         if isinstance(q.of, StableSteadyMotion):
             from freebody.study.steady.stable_for import stability as steady_stability

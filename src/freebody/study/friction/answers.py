@@ -84,7 +84,7 @@ def of_motion(system: System, question: Question) -> Question:
     q = question.quantity
     if not isinstance(q, RestLimit) or not q.is_of_slip:
         return question
-    rest = prepared(system)
+    rest = prepared(left_alone(system, q))
     draw = rest.setup.draws[0]
     if unresisted(rest_problem(draw.reference, draw.q, rest.touching.dry_friction)) is None:
         return question
@@ -96,7 +96,16 @@ def of_motion(system: System, question: Question) -> Question:
 
 def answer(system: System, question: Question) -> Answer:
     """The answer to a question about rest; without a closed form, its numbers and the reason."""
+    system = left_alone(system, question.quantity)
     return answered(system, question, lambda: _Answerer(system, question).answer(question.quantity))
+
+
+def left_alone(system: System, quantity: Quantity) -> System:
+    """The system without the loads that a question about rest leaves out."""
+    without = quantity.without if isinstance(quantity, (RestLimit, Holds)) else ()
+    if not without:
+        return system
+    return replace(system, applied_loads=tuple(p for p in system.applied_loads if p.load not in without))
 
 
 class _Answerer:

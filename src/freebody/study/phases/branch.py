@@ -24,6 +24,8 @@ from freebody.symbolic.phases.energy_motion import EnergyMotion
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.validity import TAKEN
 
+_N_LOOKED_AT = 6  # parameter sets at which something that vanishes at all of them is nothing
+
 
 @dataclass
 class AnswerBranch:
@@ -68,6 +70,12 @@ def signs_taken(tree: PhaseTree, phase: Phase) -> Generator[list[Condition]]:
                 needed += [] if condition is None or condition in needed else [condition]
 
 
+def _is_nothing(tree: PhaseTree, x: Ratio) -> bool:
+    """Whether an element vanishes whatever the parameters are, as a sum of roots may whose form does not show it: at
+    random parameter sets it is round-off of its terms."""
+    return all(tree.sets.vanishes(tree.home.model, x, int(k)) for k in tree.indices[:_N_LOOKED_AT])
+
+
 def where_so(tree: PhaseTree, conditions: Sequence[Condition], sets: Chosen) -> Chosen:
     """Those of some parameter sets at which conditions hold."""
     for c in conditions:
@@ -106,7 +114,7 @@ def branch_at(
     with signs_taken(tree, (way.last if after is None else after).phase) as taken:
         passage = passage_of(tree, way, time, sets, first, after)
         value = question.quantity.counted(passage)
-    taken += passage.counted_so(lambda x: x)
+    taken += [c for c in passage.counted_so(lambda x: x) if not _is_nothing(tree, c.element)]
     needed, sets = [*way.conditions, *conditions, *taken], where_so(tree, taken, sets)
     return AnswerBranch(value, True, list(way.nodes), first, needed, sets, time, notes, after)
 

@@ -23,6 +23,7 @@ from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.finding import NO_FORM, why
 from freebody.study.phases.changes_asked import begins_with, event_behind, meant_of
 from freebody.study.phases.events import first_events
+from freebody.study.phases.locking import locking_cases
 from freebody.study.phases.nodes import PhaseEnd, PhaseNode, WayToPhase
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase, PhaseWatch
@@ -52,6 +53,9 @@ def happening_cases(tree: PhaseTree, happening: Happening) -> list[HappeningCase
             "balance: ask for the angle, as in least v so that phi reaches 45 deg"
         )
         raise CannotAnswer(told)
+    if isinstance(happening.what, Lasting) and happening.what.kind == "locks":
+        found = [HappeningCase(is_so, where) for is_so, where in locking_cases(tree, tree.slips, happening.what)]
+        return [replace(case, is_so=case.is_so is happening.is_so) for case in found]
     roots = [WayToPhase((node,), (), (*tree.assumed, *node.conditions)) for node in tree.roots]
     found = [case for way in roots for case in _Walk.begun(tree, happening, way.last).cases(way)]
     if happening.is_so:

@@ -23,6 +23,7 @@ from freebody.questions.event import TurnsBack
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.happening import Happening, Lasting
 from freebody.study.answering.witness import patience
+from freebody.study.phases.locking import locks_in_numbers
 from freebody.study.phases.standing import cannot_slip, feet_of
 from freebody.study.simulation.simulator import Simulator
 from freebody.system.system import System
@@ -48,6 +49,8 @@ def is_seen(system: System, happening: Happening, touching: frozenset[str], valu
     come so close together that the looks do not tell them apart."""
     if happening.away is not None and not _sets_out(system, happening.away, values):
         return False
+    if isinstance(happening.what, Lasting) and happening.what.kind == "locks":
+        return locks_in_numbers(system, touching, happening.what, values) == happening.is_so
     if happening.at_once:
         if isinstance(happening.what, Transition) and happening.what.kind == "rolls":
             happening = replace(happening, what=Lasting("rolls", happening.what.of, happening.text))

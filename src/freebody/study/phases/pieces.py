@@ -463,11 +463,28 @@ def _in_phase(
             conditions = [*given, *outcome.given, *tree.outcome_conditions(node.phase, outcome)]
             yield branch_at(tree, question, way, outcome.first, conditions, outcome.sets)
     for edge in node.edges:
-        mine = [o.sets for o in outcomes if edge.first and o.first and is_same(o.first.watch, edge.first.watch)]
+        mine = [o for o in outcomes if edge.first and o.first and is_same(o.first.watch, edge.first.watch)]
         for after in edge.nodes:
-            later = np.intersect1d(after.sets, np.concatenate(mine)) if mine else after.sets[:0]
-            if len(later):
-                yield from _at_event(tree, question, event, [way.on(edge, replace(after, sets=later))], met)
+            ways = _not_before(tree, way.on(edge, after), mine, given)
+            yield from _at_event(tree, question, event, list(ways), met)
+
+
+def _not_before(
+    tree: PhaseTree, way: WayToPhase, outcomes: Sequence[PhaseOutcome], given: Sequence[Condition]
+) -> Iterator[WayToPhase]:
+    """A way on which what is asked for has not come in the phase before, with what makes that so where it is not so on
+    all of it. outcomes: how that phase ends otherwise; given: from which side it came to the event."""
+    after = way.last
+    later = np.intersect1d(after.sets, np.concatenate([after.sets[:0], *(o.sets for o in outcomes)]))
+    if len(later) == len(after.sets):
+        yield way
+        return
+    for outcome in outcomes:
+        sets = np.intersect1d(after.sets, outcome.sets)
+        if len(sets):
+            needed = (*given, *outcome.given, *tree.outcome_conditions(way.nodes[-2].phase, outcome))
+            here = (*way.nodes[:-1], replace(after, sets=sets))
+            yield replace(way, nodes=here, conditions=(*way.conditions, *needed))
 
 
 def watches_of(

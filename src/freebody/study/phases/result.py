@@ -128,6 +128,8 @@ def _missing(tree: PhaseTree, reasons: Sequence[str]) -> str:
     covered = np.concatenate([tree.indices[:0], *(_sets(path) for path in paths(tree.roots))])
     if tree.sets.left_out[np.setdiff1d(tree.indices, covered)].all():
         return ""
+    if (lost := dict.fromkeys(tree.lost.values())) and len(lost) == 1:
+        return next(iter(lost))
     return reasons[-1] if reasons else Message("no state of the contacts was found that is consistent with the start")
 
 

@@ -7,7 +7,7 @@ random parameter sets (`Sets`), and the inequalities that told them apart are th
 from __future__ import annotations
 
 from collections.abc import Generator, Iterator, Mapping, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from dataclasses import replace
 from functools import lru_cache
 from typing import Any
@@ -33,6 +33,7 @@ from freebody.study.phases.handing_over import taking_over
 from freebody.study.phases.home import Home
 from freebody.study.phases.impact import ClosedFormCollision, CollisionOutcome, collisions
 from freebody.study.phases.in_plane import slips_of, ways_of_impact
+from freebody.study.phases.locking import self_pressed
 from freebody.study.phases.nodes import PhaseEnd, PhaseImpact, PhaseNode, PhaseStart
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.phase import Phase
@@ -149,7 +150,18 @@ class PhaseTree(Home):
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
         reason = self.reasons[-1] if self.reasons else Message("no state of the contacts is consistent with the start")
+        reason = self._locked(gone) or reason
         self.lost |= dict.fromkeys(gone.tolist(), reason)
+
+    def _locked(self, gone: Chosen) -> str:
+        """What locks itself at all of some sets, so that nothing follows on their start."""
+        if not len(gone) or not any(not x.is_zero() for x in self.slips.values()):
+            return ""
+        with suppress(*NO_FORM):
+            for contact, reserve in self_pressed(self, self.slips):
+                if (self.numbers(reserve)[gone] <= 0.0).all():
+                    return Message("{contact} locks itself, and stops what slides there at once", contact=contact)
+        return ""
 
     # -- impacts ----------------------------------------------------------------------------------
     def _struck(self, instant: PhaseStart, hits: tuple[str, ...], indices: Chosen, depth: int) -> list[PhaseNode]:

@@ -13,7 +13,7 @@ from freebody.numeric.instant import WithoutInertia
 from freebody.questions.base import Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
-from freebody.questions.happening import Happening
+from freebody.questions.happening import Happening, Lasting
 from freebody.questions.motion import Staying
 from freebody.questions.reactions_by_component import component_of
 from freebody.questions.reading import Question
@@ -31,6 +31,7 @@ from freebody.study.phases.evidence import compare
 from freebody.study.phases.first_turns import NO_TURN, first_turns, is_behind_an_impact
 from freebody.study.phases.happening import happening_cases
 from freebody.study.phases.happening_seen import is_seen
+from freebody.study.phases.locking import MEANS
 from freebody.study.phases.pieces import pieces
 from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.until_change import Found, until_change
@@ -177,6 +178,8 @@ def _of_happening(tree: PhaseTree, question: Question, happening: Happening) -> 
     if not formulas:
         raise CannotAnswer(tree.reasons[0] if tree.reasons else Message("no motion was found that begins at the start"))
     found = solved_for(tree.home, question, formulas)
+    if isinstance(happening.what, Lasting) and happening.what.kind == "locks":
+        found.notes.append(MEANS)
     if not all(case.is_proved for case in cases):
         found.notes.append(
             Message(

@@ -13,13 +13,14 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import number
 from freebody.language.notation import joined
 from freebody.language.sentences import Message
-from freebody.questions.happening import Happening
+from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.friction.holding import unit_of
 from freebody.study.phases.happening import HappeningCase, happening_cases
 from freebody.study.phases.happening_seen import is_seen
+from freebody.study.phases.locking import MEANS, ROUTE
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.tree import PhaseTree
 from freebody.symbolic.ratio import Ratio
@@ -37,7 +38,9 @@ def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
     if not cases:
         raise CannotAnswer(tree.reasons[0] if tree.reasons else Message("no motion was found that begins at the start"))
     parts = [(case, _sets_of(tree, case)) for case in cases]
-    check = CrossCheck(question.text, Message("simulated motions, each looked at from its start"), 0.0)
+    locks = isinstance(happening.what, Lasting) and happening.what.kind == "locks"
+    route = ROUTE if locks else Message("simulated motions, each looked at from its start")
+    check = CrossCheck(question.text, route, 0.0)
     touching = tree.closed | tree.moving
 
     def compare(case_and_set: tuple[HappeningCase, int]) -> None:
@@ -48,7 +51,7 @@ def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
             check.compare(tree.home.draws[0].with_values(values, system), float(bool(case.is_so)), float(seen))
 
     check.gather(_looked_at(tree, parts), compare)
-    verdict, notes = "", list[str]()
+    verdict, notes = "", [MEANS] if locks else list[str]()
     here: HappeningCase | None = None
     if system.has_values:
         here = next((case for case, sets in parts if 0 in sets), None)
