@@ -206,7 +206,7 @@ class Formulas(Noting):
             if self.is_broken_in(value):
                 return ZERO
             self._note_unit_of_use(expr, found, dimension, known)
-            told = _unit_differs(value, found, dimension)
+            told = unit_differs(value, found, dimension)
             own = self.parameters.get(value)
             if (
                 own is not None and own.value is not None and found == DIMENSIONLESS
@@ -323,7 +323,7 @@ class Formulas(Noting):
             self.problem(self._mixed(text) or why_not, *path)
             return ZERO
         if quantity.dimension != dimension:
-            self.problem(_unit_differs(text, quantity.dimension, dimension), *path)
+            self.problem(unit_differs(text, quantity.dimension, dimension), *path)
             return ZERO
         return quantity_expression(quantity)
 
@@ -527,7 +527,8 @@ def no_parameter_in(name: str, formula: str, hint: str) -> Message:
     )
 
 
-def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
+def unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
+    """That what a text says has no unit, or another one than is wanted."""
     kinds = {
         LENGTH: Message("a length"),
         MASS: Message("a mass"),

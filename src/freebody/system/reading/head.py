@@ -49,7 +49,12 @@ def check_sections(source: Source) -> None:
             "freebody",
         )
     if not source.data.get("bodies") and not source.names.is_cut_short:
-        source.names.problem(Message("a model needs at least one body, under bodies"), "bodies")
+        source.names.problem(
+            Message(
+                "a model needs at least one body, under bodies, as bodies: {{block: {{particle: {{mass: 1 kg}}}}}}"
+            ),
+            "bodies",
+        )
         source.names.is_cut_short = True  # what names bodies has no other mistake
 
 

@@ -27,6 +27,7 @@ from freebody.system.reading.written.scalars import PLACES_OF_BODIES
 
 _ROLLING, _WALL = "rolling", "wall"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
+_LED, _ON = ("body", "pin"), "on"
 _OF_TOUCHING = {"friction", "restitution"}
 
 
@@ -47,6 +48,26 @@ def hold_bodies(w: Written) -> None:
                 w.moved["connections", called] = (*w.stood(("bodies", name)), key)
             rest = cast("Entry", w.data["bodies"][name])
             w.data["bodies"][name] = {k: v for k, v in rest.items() if k != key and k not in own}
+
+
+def lead_what_is_on(w: Written) -> None:
+    """`{slider: {on: ram, along: up}}` that says no body: what is on it is nothing of the file, so the guide holds the
+    ram, on the ground."""
+    bodies, connections = w.data.get("bodies"), w.data.get("connections")
+    if not isinstance(bodies, dict) or not isinstance(connections, dict):
+        return
+    for name, entry in cast("Entry", connections).items():
+        for word, value in [*cast("Entry", entry).items()] if isinstance(entry, dict) else ():
+            kind = written_kind(word, value, Connection.kinds, space=w.space)
+            spec = Connection.kinds[kind] if kind is not None and isinstance(value, dict) else None
+            led = next((f for f in _LED if spec is not None and f in spec.model_fields), None)
+            if spec is None or led is None or _ON not in spec.model_fields or spec.model_fields[_ON].is_required():
+                continue
+            fields = spec.from_plain(value)
+            owner = str(fields.get(_ON)).partition(".")[0]
+            if led not in fields and owner in bodies and not re.search(rf"\b{owner}\b", str(fields.get("along"))):
+                read = {led if key == _ON else key: each for key, each in fields.items()}
+                w.data["connections"] = {**w.data["connections"], name: {**cast("Entry", entry), word: read}}
 
 
 def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:

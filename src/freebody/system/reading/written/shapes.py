@@ -11,7 +11,7 @@ from __future__ import annotations
 
 import re
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
@@ -26,6 +26,13 @@ _TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
 _ALIKE = 0.7  # of a word to that of a field: a slip of the pen
 _DISK, _ROD = "disk", "rod"
 _ENDS = (("from", "to"), ("start", "end"), ("von", "nach"))
+_ANGLE, _NEAR = "angle", "near"
+_WAYS = {
+    **dict.fromkeys(("right", "rechts", "horizontal", "level", "waagerecht"), 0),
+    **dict.fromkeys(("up", "upward", "upwards", "oben"), "90 deg"),
+    **dict.fromkeys(("left", "links"), "180 deg"),
+    **dict.fromkeys(("down", "downward", "downwards", "unten"), "-90 deg"),
+}
 _LENGTH = "length"  # what says that alone is a rod
 _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of them
 
@@ -33,6 +40,7 @@ _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of
 def with_shape(w: Written, name: str, entry: Entry) -> Entry:
     """The entry of a body with its shape, where it has none and can have one only, and beside it what no shape has."""
     beside = keys_beside("bodies", space=w.space)
+    entry = entry if w.space else turned_in_words(w, entry)
     entry = _between_ends(w, name, entry)
     fields = {key: value for key, value in entry.items() if not as_option(key, beside)}
     said = next((key for key in SAYS_KIND if isinstance(fields.get(key), str)), None)
@@ -70,6 +78,19 @@ def with_shape(w: Written, name: str, entry: Entry) -> Entry:
         Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(own), kind=shape)
     )
     return _with(w, name, entry, shape, own)
+
+
+def turned_in_words(w: Written, entry: Entry) -> Entry:
+    """`angle: down` of a body of the plane: the way of its x axis, as a direction says it."""
+    given = w.data.get("parameters")
+    known = cast("Entry", given) if isinstance(given, dict) else {}
+    angle = entry.get(_ANGLE)
+    if isinstance(angle, str) and angle not in known and (turned := _WAYS.get(folded(angle))) is not None:
+        entry = {**entry, _ANGLE: turned}
+    near = entry.get(_NEAR)
+    if isinstance(near, dict) and (turned := turned_in_words(w, cast("Entry", near))) is not near:
+        entry = {**entry, _NEAR: turned}
+    return entry
 
 
 def _between_ends(w: Written, name: str, entry: Entry) -> Entry:
