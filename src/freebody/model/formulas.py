@@ -508,10 +508,11 @@ def quantity_expression(quantity: Any) -> Expr:
 def _not_a_parameter(name: str, value: str, dimension: Dimension, hint: str) -> Message:
     if name == value.strip() and dimension != DIMENSIONLESS:
         return Message(
-            "{name} is not a parameter.{hint} Add it under parameters, e.g. {name}: 1 {unit}, or without a number "
-            "{name}: {unit}",
+            "{name} is not a parameter.{hint} Add it under parameters, e.g. {name}: {number} {unit}, or without a "
+            "number {name}: {unit}",
             name=name,
             hint=hint,
+            number="9.81" if dimension == ACCELERATION else "1",
             unit=dimension,
         )
     return no_parameter_in(name, value, hint)

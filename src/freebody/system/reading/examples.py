@@ -36,19 +36,28 @@ def fields_of_example(kind: type[Spec], data: Mapping[str, Any] | None = None, g
         entries = cast("Entry", section) if isinstance(section, dict) else {}
         if isinstance(own := entries.get("it"), dict):
             fields = cast("Entry", own).get(kind.kind)
-            return fields if data is None else _called(fields, *_names(example, data, given))
+            if data is None:
+                return fields
+            left = [each for key, each in kind.from_plain(fields).items() if key not in given]
+            return _called(fields, *_names(example, data, given, _owners(left)))
     return None
 
 
-def _names(example: Mapping[str, Any], data: Mapping[str, Any], given: Mapping[str, Any]) -> tuple[Entry, Entry]:
-    """By the bodies of an example: those of the model that stand for them; and the shapes of both."""
+def _owners(values: list[Any]) -> set[str]:
+    return {found["owner"] for found in _NAME.finditer(str(values))}
+
+
+def _names(
+    example: Mapping[str, Any], data: Mapping[str, Any], given: Mapping[str, Any], wanted: set[str]
+) -> tuple[Entry, Entry]:
+    """By the bodies of an example that are wanted: those of the model that stand for them; and whether both are of one
+    shape."""
     own, there = dict(_shapes(example)), dict(_shapes(data))
-    taken = {found["owner"] for found in _NAME.finditer(str([*given.values()]))}
-    free = [name for name in there if name not in taken]
+    free = [name for name in there if name not in _owners([*given.values()])]
     called: Entry = {}
-    for name, shape in own.items() if len(free) >= len(own.keys() - {"it"} - taken) else ():
+    for name, shape in own.items():
         alike = [each for each in free if there[each] == shape] or free
-        if name != "it" and alike:
+        if name in wanted and alike:
             called[name] = alike[0]
             free.remove(alike[0])
     ground = data.get(GROUND)

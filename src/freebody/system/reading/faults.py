@@ -93,6 +93,15 @@ class Faults:
 
     def _kind_wanted(self, name: str, value: Any, kinds: Mapping[str, type[Spec]]) -> Message:
         """Who writes `gravity: g` gives the name of a kind and what belongs into it."""
+        beside = [*cast("dict[str, Any]", self.data.get(str(self.names.here[0])) or {})] if self.names.here else []
+        following = beside[beside.index(name) + 1] if name in beside[:-1] else ""
+        if value is None and name not in kinds and following in kinds:
+            return Message(
+                "{name} is empty, and {kind}, which belongs to it, stands beside it: begin the line of {kind} with two "
+                "more spaces",
+                name=name,
+                kind=following,
+            )
         if name in kinds:
             example = fields_of_example(kinds[name], self.data) if value is None else value
             return Message(
@@ -184,7 +193,10 @@ class Faults:
         meeting = cast("tuple[str, str] | None", getattr(kind, "meeting", None))
         entry = self.names.here[1] if len(self.names.here) > 1 else ""
         if meeting is not None and len(left := [field for field in meeting if field in absent]) == 1:
-            example[left[0]] = f"{GROUND}.{entry}"
+            other = meeting[0] if left[0] == meeting[1] else meeting[1]
+            held = str(given.get(other))
+            if kind.model_fields[other].is_required() and held.partition(".")[0] != GROUND:
+                example[left[0]] = f"{GROUND}.{entry}"
         if not given.keys() & known or not {*absent} <= example.keys():
             return example_of(kind, self.data)
         whole = {key: each for key, each in given.items() if key in known} | {key: example[key] for key in absent}

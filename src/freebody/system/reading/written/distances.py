@@ -31,6 +31,7 @@ _AT = ("at", "position", "distance", "x", "location", "place", "on")
 _FROM, _TO = ("from", "start", "begin", "x1"), ("to", "end", "x2", "until")
 _OWNERS = ("on", "body", "of")
 _FROM_END, _MIDDLES = (
+_SAID_WHENCE = re.compile(rf" from |{'|'.join(_MIDDLES)}")
     re.compile(r"(?P<far>.+?) from (the )?(?P<end>start|end)"),
     ("middle", "center", "centre", "mitte"),
 )
@@ -62,11 +63,12 @@ def points_along_rods(w: Written) -> None:
         return
     for rod, length in _rods(w).items():
         entry = cast("Entry", w.data["bodies"][rod])
-        points = entry.get("points")
-        read = {name: _along(w, place, length) for name, place in points.items()} if isinstance(points, dict) else {}
+        given = entry.get("points")
+        points = cast("Entry", given) if isinstance(given, dict) else {}
+        read = {name: _along(w, place, length) for name, place in points.items()}
         if found := {name: place for name, place in read.items() if place is not None}:
-            w.data["bodies"] = {**w.data["bodies"], rod: {**entry, "points": {**cast("Entry", points), **found}}}
-            if any("from" not in str(points[name]) for name in found if "0" not in map(str, found[name][:1])):
+            w.data["bodies"] = {**w.data["bodies"], rod: {**entry, "points": {**points, **found}}}
+            if any(not isinstance(points[name], str) or _SAID_WHENCE.search(points[name]) is None for name in found):
                 w.assumed.append(Message("distances along {rod} count from {start}", rod=rod, start=f"{rod}.start"))
 
 

@@ -7,6 +7,7 @@ from collections.abc import Mapping
 from typing import Any, TypeAlias, cast
 
 from freebody.errors import InputError
+from freebody.language.expression import free_symbols
 from freebody.language.folded import folded
 from freebody.language.parser import parse
 from freebody.language.sentences import Message, in_turn
@@ -56,21 +57,24 @@ def wrong_unit(w: Written, key: str, value: Any, wanted: Dimension) -> Message |
     if found == wanted or (isinstance(value, str) and value.isidentifier()):
         return None
     if found is None:
-        return _no_quantity(value)
+        return _no_quantity(w, value)
     unit = "rad/s" if wanted == ANGULAR_VELOCITY else "30 deg" if wanted == DIMENSIONLESS else unit_of(wanted)
     entry = f"{value} {unit}" if found == DIMENSIONLESS else unit if wanted == DIMENSIONLESS else f"1 {unit}"
     return Message("{why}: write {key}: {entry}", why=unit_differs(key, found, wanted), key=key, entry=entry)
 
 
-def _no_quantity(value: Any) -> Message | None:
-    """What is wrong with what is neither a quantity nor a formula."""
+def _no_quantity(w: Written, value: Any) -> Message | None:
+    """What is wrong with what is neither a quantity nor a formula in parameters of the file."""
+    known = cast("Entry", w.data.get("parameters") or {})
     try:
-        parse(str(value))
+        if any(name in known for name in free_symbols(parse(str(value)))):
+            return None
     except InputError:
-        try:
-            parse_quantity(value)
-        except InputError as error:
-            return cast("Message", error.args[0])
+        pass
+    try:
+        parse_quantity(value)
+    except InputError as error:
+        return cast("Message", error.args[0])
     return None
 
 
