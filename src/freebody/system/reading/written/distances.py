@@ -30,11 +30,9 @@ from freebody.system.reading.written.points import is_joint
 _AT = ("at", "position", "distance", "x", "location", "place", "on")
 _FROM, _TO = ("from", "start", "begin", "x1"), ("to", "end", "x2", "until")
 _OWNERS = ("on", "body", "of")
-_FROM_END, _MIDDLES = (
+_FROM_END = re.compile(r"(?P<far>.+?) from (the )?(?P<end>start|end)")
+_MIDDLES = ("middle", "center", "centre", "mitte")
 _SAID_WHENCE = re.compile(rf" from |{'|'.join(_MIDDLES)}")
-    re.compile(r"(?P<far>.+?) from (the )?(?P<end>start|end)"),
-    ("middle", "center", "centre", "mitte"),
-)
 _ROD, _SPREAD, _GUIDED = "rod", "distributed", "pin"
 
 
