@@ -70,6 +70,26 @@ RIGHT = {
         "measures: {X: x of wedge, s: travel of block along wedge.slope from wedge}\nquestions: [acceleration of X]\n",
         G * math.sin(math.pi / 6) * math.cos(math.pi / 6) / (3 + 0.25),
     ),
+    # wound on a drum on the shaft of a wheel: M/R - m g = (m + J/R^2) a; the load goes up where the drum turns
+    # against the side on which it hangs
+    "a rope from a drum on the shaft of a wheel": (
+        "parameters: {M: 100 N m, m: 40 kg, J: 2 kg m^2, R: 0.15 m, g: 9.81 m/s^2}\n"
+        "bodies: {wheel: {disk: {radius: 0.4 m, inertia: J}}, drum: {disk: {radius: R}}, load: {particle: {mass: m}}}\n"
+        "connections: {B: {pin: [ground.B, wheel]}, shaft: {weld: [wheel.center, drum.center]}, "
+        "rope: {string: {from: drum, to: load}}}\n"
+        "loads: {w: {gravity: g}, motor: {torque: {on: wheel, magnitude: M}}}\n"
+        "measures: {h: height of load}\nquestions: [acceleration of h]\n",
+        (100 / 0.15 - 40 * G) / (40 + 2 / 0.15**2),
+    ),
+    # 6 kN in the middle of the right half of 4 m: 3 kN at its roller
+    "a roller on the ground": (
+        "ground: {points: {A: [0, 0], B: [3 m, 0], C: [8 m, 0]}}\n"
+        "bodies: {left: {beam: {length: 4 m}, points: {B: 3 m from start}}, right: {beam: {length: 4 m}}}\n"
+        "connections: {A: {pin: [ground.A, left.start]}, B: {roller: {at: left.B, on: ground}}, "
+        "G: {hinge: [left.end, right.start]}, C: {roller: {at: right.end, on: ground}}}\n"
+        "loads: {F: {force: {at: right.center, direction: down, value: 6 kN}}}\nquestions: [normal force of C]\n",
+        3000.0,
+    ),
     "a point from the start of a rod": (
         f"{ROD}bodies: {{rod: {{rod: {{mass: m, length: L}}, points: {{P: 2 m from start}}}}}}{HUNG}",
         OFF_CENTRE,
@@ -105,6 +125,14 @@ TRUSS = "nodes: {A: [0, 0], B: [4 m, 0], C: [2 m, 3 m]}\nmembers: MEMBERS\nsuppo
 SUPPORTS = "{A: pin, B: roller}"
 HELD = "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}}}\nconnections: {O: {pin: [ground.O, rod.start]}}\n"
 WRONG = {
+    "a length of four": (
+        "four_bar: {ground: 10 cm, crank: 3, coupler: 9 cm, rocker: 7 cm}\nquestions: [range of phi]\n",
+        "four_bar.crank: crank must be a length.*write crank: 3 cm",
+    ),
+    "a speed of a sun": (
+        "planetary: {sun: 24, ring: 72, fixed: ring, input: {sun: 1000}}\nquestions: [angular velocity of carrier]\n",
+        "write sun: 1000 rad/s",
+    ),
     "a length without a unit": (PENDULUM.replace("OWN", "length: 1, mass: 2 kg"), "write length: 1 m"),
     "a length in kilograms": (PENDULUM.replace("OWN", "length: 1 kg, mass: 2 kg"), "given in kg: write length: 1 m"),
     "a length in words": (PENDULUM.replace("OWN", "length: one metre, mass: 2 kg"), "is not a quantity: write"),
@@ -157,6 +185,10 @@ WRONG = {
     "a field by its second word with a slip": (
         f"{HELD}loads: {{s: {{spring: {{form: ground.Q, to: rod.end, k: 5 N/m}}}}}}\n",
         "spring has no form. Did you mean from",
+    ),
+    "a body that is not indented": (
+        "bodies:\nrod: {rod: {mass: 2 kg, length: 1 m}}\nquestions: [acceleration of rod]\n",
+        "begin the line of rod with two spaces",
     ),
     "no bodies": ("loads: {w: {gravity: 9.81 m/s^2}}\n", "bodies: {block: {particle: {mass: 1 kg}}}"),
 }

@@ -81,7 +81,7 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             key=key,
             entry=flow_text({"ground": {"points": value}}),
         )
-    if _meant(key) is None and _is_body(key, value):
+    if _meant(key) is None and _is_body(key, value) and empty != "bodies":
         entry = flow_text({"bodies": {key: value}})
         return Message("{key} is a body, which stands under bodies: {entry}", key=key, entry=entry)
     begun, space, rest = key.partition(" ")

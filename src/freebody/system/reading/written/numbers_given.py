@@ -50,15 +50,16 @@ def refuse_misread(w: Written, place: tuple[Any, ...], given: Entry, words: Word
             w.refuse(why, *place, key)
 
 
-def wrong_unit(w: Written, key: str, value: Any, wanted: Dimension) -> Message | None:
+def wrong_unit(w: Written, key: str, value: Any, wanted: Dimension, usual: str = "") -> Message | None:
     """What is wrong with a number that has another unit than that of what it is, or is none, and what to write; None
-    where it is right, or where only its use can tell: of an angle, and of a name."""
+    where it is right, or where only its use can tell: of an angle, and of a name. usual: the unit of others of its
+    kind."""
     found = dimension_said(w, value)
     if found == wanted or (isinstance(value, str) and value.isidentifier()):
         return None
     if found is None:
         return _no_quantity(w, value)
-    unit = "rad/s" if wanted == ANGULAR_VELOCITY else "30 deg" if wanted == DIMENSIONLESS else unit_of(wanted)
+    unit = "rad/s" if wanted == ANGULAR_VELOCITY else "30 deg" if wanted == DIMENSIONLESS else usual or unit_of(wanted)
     entry = f"{value} {unit}" if found == DIMENSIONLESS else unit if wanted == DIMENSIONLESS else f"1 {unit}"
     return Message("{why}: write {key}: {entry}", why=unit_differs(key, found, wanted), key=key, entry=entry)
 
