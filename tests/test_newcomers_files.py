@@ -16,6 +16,7 @@ from freebody.language.document.writer import flow_text
 from freebody.loads.base import Load
 from freebody.model.spec import Spec
 from freebody.study.model_warnings.found import warnings_of
+from freebody.system.reading.vocabulary import SHORT_FORMS
 
 G = 9.81
 ROD = "parameters: {m: 2 kg, L: 3 m, g: 9.81 m/s^2}\n"
@@ -69,6 +70,25 @@ RIGHT = {
         "\nloads: {w: {gravity: g}}\n"
         "measures: {X: x of wedge, s: travel of block along wedge.slope from wedge}\nquestions: [acceleration of X]\n",
         G * math.sin(math.pi / 6) * math.cos(math.pi / 6) / (3 + 0.25),
+    ),
+    # v = 5 m/s at 30 deg from 2 m: t = (v_y + sqrt(v_y^2 + 4 g))/g
+    "a velocity with its angle": (
+        "bodies: {ball: {particle: {mass: 2 kg}, position: [0, 2], velocity: 5 m/s at 30 deg}}\n"
+        "loads: {w: {gravity: 9.81 m/s^2}}\nmeasures: {x: x of ball, y: y of ball}\nquestions: [x when y = 0]\n",
+        5 * math.cos(math.pi / 6) * (2.5 + math.sqrt(2.5**2 + 4 * G)) / G,
+    ),
+    "a velocity with its way": (
+        "bodies: {ball: {particle: {mass: 2 kg}, at: [0, 0], velocity: 5 m/s left}}\n"
+        "measures: {x: x of ball}\nquestions: [velocity of x at start]\n",
+        -5.0,
+    ),
+    # a = F/(m + J/R^2), a hoop or a disk
+    "a wheel with its inertia": (
+        "parameters: {m: 5 kg, J: 0.1 kg m^2, R: 0.2 m, F: 10 N, g: 9.81 m/s^2}\n"
+        "bodies: {w: {wheel: {mass: m, inertia: J, radius: R}}}\nconnections: {roll: {rolling: {body: w, on: floor}}}\n"
+        "loads: {weight: {gravity: g}, pull: {force: {on: w, direction: right, value: F}}}\n"
+        "measures: {x: x of w}\nquestions: [acceleration of x]\n",
+        10 / (5 + 0.1 / 0.2**2),
     ),
     # wound on a drum on the shaft of a wheel: M/R - m g = (m + J/R^2) a; the load goes up where the drum turns
     # against the side on which it hangs
@@ -186,6 +206,10 @@ WRONG = {
         f"{HELD}loads: {{s: {{spring: {{form: ground.Q, to: rod.end, k: 5 N/m}}}}}}\n",
         "spring has no form. Did you mean from",
     ),
+    "a short form that there is not": (
+        "slider_crank: {crank: 5 cm, rod: 20 cm, rpm: 1200}\nquestions: [stroke]\n",
+        "there is no section and no short form slider_crank: short forms are pendulum",
+    ),
     "a body that is not indented": (
         "bodies:\nrod: {rod: {mass: 2 kg, length: 1 m}}\nquestions: [acceleration of rod]\n",
         "begin the line of rod with two spaces",
@@ -278,3 +302,11 @@ def test_an_entry_that_a_message_advises_is_read_where_it_is_pasted(name: str) -
         assert told is not None, said
         data[section]["it"] = {**entry, **Document.read(f"x: {{{told[1]}}}").data["x"]}
         fb.System.from_text(flow_text(data))
+
+
+@pytest.mark.parametrize("word", SHORT_FORMS)
+def test_every_short_form_that_a_message_names_is_a_section(word: str) -> None:
+    """What it says inside is refused for what it says, or for what is left out, and not as an unknown section."""
+    with pytest.raises(fb.FreebodyError) as raised:
+        fb.System.from_text(f"{word}: {{strange_word: 1 m}}\n")
+    assert "no short form" not in str(raised.value)

@@ -17,7 +17,7 @@ from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import SAME, Spec
-from freebody.model.written_kinds import written_kind
+from freebody.model.written_kinds import takes, written_kind
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.form import JOINED, Entry, Written, as_option, keys_beside, takes_as
 from freebody.system.reading.written.vectors import SPEEDS
@@ -40,7 +40,7 @@ _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of
 def with_shape(w: Written, name: str, entry: Entry) -> Entry:
     """The entry of a body with its shape, where it has none and can have one only, and beside it what no shape has."""
     beside = keys_beside("bodies", space=w.space)
-    entry = entry if w.space else turned_in_words(w, entry)
+    entry = entry if w.space else _of_known_inertia(turned_in_words(w, entry))
     entry = _between_ends(w, name, entry)
     fields = {key: value for key, value in entry.items() if not as_option(key, beside)}
     said = next((key for key in SAYS_KIND if isinstance(fields.get(key), str)), None)
@@ -78,6 +78,16 @@ def with_shape(w: Written, name: str, entry: Entry) -> Entry:
         Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(own), kind=shape)
     )
     return _with(w, name, entry, shape, own)
+
+
+def _of_known_inertia(entry: Entry) -> Entry:
+    """`wheel: {mass: m, radius: R, inertia: J}`: a disk and a hoop of the same inertia move alike."""
+    disk = Shape.kinds[_DISK]
+    for word, value in entry.items():
+        is_open = word in disk.called and written_kind(word, value, Shape.kinds, space=False) is None
+        if is_open and takes(disk, value) and "inertia" in disk.from_plain(value):
+            return {_DISK if key == word else key: each for key, each in entry.items()}
+    return entry
 
 
 def turned_in_words(w: Written, entry: Entry) -> Entry:

@@ -114,9 +114,9 @@ def _with_pendulum(w: Written) -> None:
         return
     if says(given, _PENDULUM["L"][0]):
         refuse_misread(w, (key,), given, _PENDULUM)
-    if not (said := quantities(w, given, _PENDULUM)):
-        return
-    if "L" not in said and "m" in said and not any(isinstance(each, dict) for each in given.values()):
+    said = quantities(w, given, _PENDULUM) or {}
+    is_alone = "m" in said or not any(w.data.get(section) for section in ("ground", "connections", "loads"))
+    if "L" not in said and is_alone and not any(isinstance(each, dict | None) for each in given.values()):
         w.refuse(Message("a pendulum needs a length: {key}: {{length: 1 m, mass: 2 kg}}", key=key), key)
     if "L" not in said:
         return
