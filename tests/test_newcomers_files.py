@@ -227,6 +227,17 @@ def test_what_is_wrong_is_told_once_with_its_cure(case: str) -> None:
     assert raised.value.problems[0].line is not None
 
 
+def test_a_guide_on_a_body_guides_it_only_where_nothing_else_can_be_meant() -> None:
+    text = (
+        "bodies: {cart: {block: {mass: 1 kg}}, ram: {block: {mass: 2 kg}}}\n"
+        "connections: {a: {slider: {body: cart, along: right}}, b: {slider: {on: BODY, along: up}}}\n"
+    )
+    told = "b says no body that is guided on ram: ram is guided"
+    assert told in map(str, fb.System.from_text(text.replace("BODY", "ram")).assumptions)
+    with pytest.raises(fb.ModelError, match=r"slider needs body.*slider: \{on: cart, along: up, body: ram\}"):
+        fb.System.from_text(text.replace("BODY", "cart"))
+
+
 def test_slips_inside_of_a_misspelt_kind_are_told_with_it() -> None:
     text = f"{HELD}loads: {{s: {{gravty: {{strength: 9.81 m/s, alnog: down}}}}, t: {{froce: {{at: rod.edn}}}}}}\n"
     with pytest.raises(fb.ModelError) as raised:

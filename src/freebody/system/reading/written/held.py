@@ -27,7 +27,7 @@ from freebody.system.reading.written.scalars import PLACES_OF_BODIES
 
 _ROLLING, _WALL = "rolling", "wall"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
-_LED, _ON = ("body", "pin"), "on"
+_LED, _ON, _ALONG = ("body", "pin"), "on", "along"
 _OF_TOUCHING = {"friction", "restitution"}
 
 
@@ -51,23 +51,35 @@ def hold_bodies(w: Written) -> None:
 
 
 def lead_what_is_on(w: Written) -> None:
-    """`{slider: {on: ram, along: up}}` that says no body: what is on it is nothing of the file, so the guide holds the
-    ram, on the ground."""
+    """`{slider: {on: ram, along: up}}` that says no body: where every body is held and nothing else guides the ram,
+    what might be on it is nothing of the file, so the ram is guided, on the ground. That is told."""
     bodies, connections = w.data.get("bodies"), w.data.get("connections")
     if not isinstance(bodies, dict) or not isinstance(connections, dict):
         return
+    guides: dict[str, tuple[str, str, Entry]] = {}  # by the connections: the word, the field of what is led, the fields
     for name, entry in cast("Entry", connections).items():
-        for word, value in [*cast("Entry", entry).items()] if isinstance(entry, dict) else ():
+        for word, value in cast("Entry", entry).items() if isinstance(entry, dict) else ():
             kind = written_kind(word, value, Connection.kinds, space=w.space)
-            spec = Connection.kinds[kind] if kind is not None and isinstance(value, dict) else None
-            led = next((f for f in _LED if spec is not None and f in spec.model_fields), None)
-            if spec is None or led is None or _ON not in spec.model_fields or spec.model_fields[_ON].is_required():
-                continue
-            fields = spec.from_plain(value)
-            owner = str(fields.get(_ON)).partition(".")[0]
-            if led not in fields and owner in bodies and not re.search(rf"\b{owner}\b", str(fields.get("along"))):
-                read = {led if key == _ON else key: each for key, each in fields.items()}
-                w.data["connections"] = {**w.data["connections"], name: {**cast("Entry", entry), word: read}}
+            known = {} if kind is None else Connection.kinds[kind].model_fields
+            led = next((field for field in _LED if field in known), None)
+            if kind is not None and led is not None and {_ON, _ALONG} <= known.keys():
+                guides[name] = word, led, Connection.kinds[kind].from_plain(value)
+    for name, (word, led, fields) in guides.items():
+        body = str(fields.get(_ON)).partition(".")[0]
+        others = [each.get(field, each.get(_ON)) for other, (_w, field, each) in guides.items() if other != name]
+        is_held = all(_names(str(connections), each) for each in cast("Entry", bodies))
+        is_free = body in bodies and not any(_names(str(each), body) for each in (*others, fields.get(_ALONG)))
+        if led in fields or not is_held or not is_free:
+            continue
+        read = {led if key == _ON else key: each for key, each in fields.items()}
+        w.data["connections"] = {**w.data["connections"], name: {**connections[name], word: read}}
+        w.assumed.append(
+            Message("{name} says no body that is guided on {body}: {body} is guided", name=name, body=body)
+        )
+
+
+def _names(text: str, name: str) -> bool:
+    return re.search(rf"(?<![\w.]){re.escape(name)}\b", text) is not None
 
 
 def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:
