@@ -67,8 +67,8 @@ def lead_what_is_on(w: Written) -> None:
     for name, (word, led, fields) in guides.items():
         body = str(fields.get(_ON)).partition(".")[0]
         others = [each.get(field, each.get(_ON)) for other, (_w, field, each) in guides.items() if other != name]
-        is_held = all(_names(str(connections), each) for each in cast("Entry", bodies))
-        is_free = body in bodies and not any(_names(str(each), body) for each in (*others, fields.get(_ALONG)))
+        is_held = all(_names([*connections.values()], each) for each in cast("Entry", bodies))
+        is_free = body in bodies and not any(_names(each, body) for each in (*others, fields.get(_ALONG)))
         if led in fields or not is_held or not is_free:
             continue
         read = {led if key == _ON else key: each for key, each in fields.items()}
@@ -76,10 +76,6 @@ def lead_what_is_on(w: Written) -> None:
         w.assumed.append(
             Message("{name} says no body that is guided on {body}: {body} is guided", name=name, body=body)
         )
-
-
-def _names(text: str, name: str) -> bool:
-    return re.search(rf"(?<![\w.]){re.escape(name)}\b", text) is not None
 
 
 def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:
