@@ -328,7 +328,10 @@ measures: {psi: angle of table about z, theta: angle of arm about y AGAINST}
         (RUBBED.replace("LAW", "-M*phi").replace("5 rad/s", "-30 1/min"), "hertz", "-30 1/min is a speed in turns"),
         (SLOPE.replace("ANGLE", "20 deg, mu: 0.1"), "unused", "mu is used nowhere in the model"),
         (
-            PULLEY.replace("AXLE", "").replace("[block", "[ground.A"),
+            PULLEY.replace("AXLE", "")
+            .replace("[block", "[ground.A")
+            .replace("block: {particle: {mass: m}}, ", "")
+            .replace("m: 1 kg, ", ""),
             "loose pulley",
             "hold it, e.g. axle: {pin: [ground.A, pulley]}",
         ),

@@ -17,8 +17,8 @@ Norton, Design of Machinery, ch. 8; Shigley & Uicker, Theory of Machines and Mec
 from __future__ import annotations
 
 import math
-from collections.abc import Callable, Iterable
-from typing import TYPE_CHECKING, Any
+from collections.abc import Callable, Iterable, Mapping
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.connections.base import Connection
 from freebody.connections.cam_points import lift_through
@@ -81,6 +81,17 @@ class Cam(Connection, kind="cam"):
     form: str = "flat"
     roller_radius: Formula | None = None
 
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("eccentricity", "ecc", "e"),
+            Message(
+                "a round disk of the radius R that turns about a point at the distance e from its middle has "
+                "base_radius: R - e, lift: e*(1 + cos(phi)), along: up; alone it may be a section of the file, cam: "
+                "{{radius: 40 mm, eccentricity: 10 mm}} with follower: {{mass: 1 kg}}"
+            ),
+        ),
+        **dict.fromkeys(("flat", "roller"), Message("write form: flat, edge or roller, a roller with a roller_radius")),
+    }
     in_plane = True
     has_contact_point = True
     example = """

@@ -133,7 +133,7 @@ class Slider(Connection, kind="slider"):
     `friction`: the force that resists is mu times the normal force."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "rail", "track")
-    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse", "Schubgelenk", "prismatic")
+    also: ClassVar[tuple[str, ...]] = ("guide", "Führung", "Schiebehülse", "Schubgelenk", "Schieber", "prismatic")
 
     elsewhere: ClassVar[Mapping[str, str]] = {
         "bodies": Message("it guides one body: write one for each of them, {{body: cart, along: right}}")

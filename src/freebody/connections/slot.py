@@ -66,7 +66,7 @@ connections: {it: {slot: {pin: rod.end, along: right}}}
             given["on"] = given.pop(slotted)
         if "of" in given and "pin" not in given:
             given["pin"] = given.pop("of")
-        if "on" in given and "along" not in given:
+        if "along" not in given and given.get("on", GROUND) != GROUND:
             given["along"] = given.pop("on")
         if str(given.get("along")) in EITHER_WAY:
             given["along"] = EITHER_WAY[str(given["along"])]

@@ -22,8 +22,8 @@ class Spherical(Connection, kind="spherical"):
     space_only = True
     in_plane_take = "pin"
 
-    called: ClassVar[tuple[str, ...]] = ("ball joint", "joint", "socket")
-    also: ClassVar[tuple[str, ...]] = ("ball_joint",)
+    called: ClassVar[tuple[str, ...]] = ("ball joint", "ball", "ball and socket", "joint", "socket")
+    also: ClassVar[tuple[str, ...]] = ("ball_joint", "ball_and_socket", "ball_socket", "Kugelgelenk")
 
     meeting = ("first", "second")
 

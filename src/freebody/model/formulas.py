@@ -206,7 +206,7 @@ class Formulas(Noting):
             if self.is_broken_in(value):
                 return ZERO
             self._note_unit_of_use(expr, found, dimension, known)
-            told = _unit_differs(value, found, dimension)
+            told = unit_differs(value, found, dimension)
             own = self.parameters.get(value)
             if (
                 own is not None and own.value is not None and found == DIMENSIONLESS
@@ -323,7 +323,7 @@ class Formulas(Noting):
             self.problem(self._mixed(text) or why_not, *path)
             return ZERO
         if quantity.dimension != dimension:
-            self.problem(_unit_differs(text, quantity.dimension, dimension), *path)
+            self.problem(unit_differs(text, quantity.dimension, dimension), *path)
             return ZERO
         return quantity_expression(quantity)
 
@@ -508,10 +508,11 @@ def quantity_expression(quantity: Any) -> Expr:
 def _not_a_parameter(name: str, value: str, dimension: Dimension, hint: str) -> Message:
     if name == value.strip() and dimension != DIMENSIONLESS:
         return Message(
-            "{name} is not a parameter.{hint} Add it under parameters, e.g. {name}: 1 {unit}, or without a number "
-            "{name}: {unit}",
+            "{name} is not a parameter.{hint} Add it under parameters, e.g. {name}: {number} {unit}, or without a "
+            "number {name}: {unit}",
             name=name,
             hint=hint,
+            number="9.81" if dimension == ACCELERATION else "1",
             unit=dimension,
         )
     return no_parameter_in(name, value, hint)
@@ -527,7 +528,8 @@ def no_parameter_in(name: str, formula: str, hint: str) -> Message:
     )
 
 
-def _unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
+def unit_differs(text: str, found: Dimension, wanted: Dimension) -> Message:
+    """That what a text says has no unit, or another one than is wanted."""
     kinds = {
         LENGTH: Message("a length"),
         MASS: Message("a mass"),

@@ -218,7 +218,9 @@ def is_of_surroundings(name: str) -> bool:
 
 
 # What people call the ground where no body is called so, and points that bodies have by other names.
-_THE_GROUND = frozenset(("world", "gestell", "frame", "base", "fundament", "foundation", "umgebung"))
+_THE_GROUND = frozenset(
+    ("world", "gestell", "frame", "base", "fundament", "foundation", "umgebung", "boden", "erdboden")
+)
 _SAME_POINTS: Mapping[str, str] = {
     **dict.fromkeys(("anfang", "beginning"), "start"),
     **dict.fromkeys(("ende", "tip"), "end"),

@@ -438,6 +438,10 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         names.broken.add(text)
     close = difflib.get_close_matches(first, [p.form.split()[0] for p in PHRASES], n=1)
     forms = [p.form for p in PHRASES if not close or p.form.split()[0] == close[0]]
+    meant = f"{close[0]}{text[len(first) :]}" if close and close[0] != first else text
+    if meant != text:
+        with names.quietly():
+            forms = [meant] if read_measure(names, meant, *path) is not None else forms
     names.unknown(
         text,
         Message(

@@ -192,14 +192,21 @@ class _Composer:
             key = Key(inner.start_mark.line + 1, inner.start_mark.column + 1, inner.end_mark.index)
             if last.is_empty:
                 last = self._empty(key)
-            first = entries.setdefault(name, DocumentStep(key, last)).key
-            if first is not None and first is not key:
+            step = entries.setdefault(name, DocumentStep(key, last))
+            if (first := step.key) is not None and first is not key:
                 message = Message(
                     "the key {name} stands in line {line} already; keep one of the two, or give one of them another "
                     "name",
                     name=name,
                     line=first.line,
                 )
+                if step.node.is_empty and first.line == key.line - 1:
+                    message = Message(
+                        "{name} in line {line} is empty, and what belongs to it stands beside it: begin this line with "
+                        "two more spaces",
+                        name=name,
+                        line=first.line,
+                    )
                 self._note(at, inner, message)
         raise _RestUnread
 

@@ -49,12 +49,18 @@ class TiedAtTheAxle(WarningKind, name="tied at the axle"):
                     yield self.warning(told, section, name, *field, about=frozenset((name, end)))
 
 
-def _is_borne(system: System, body: RigidBody) -> bool:
-    """Whether a bearing holds its centre and lets it turn."""
-    n_axes = 3 if system.space else 2
+def _is_borne(system: System, body: RigidBody, seen: frozenset[str] = frozenset()) -> bool:
+    """Whether a bearing holds its centre and lets it turn, or that of a wheel on one shaft with it: one that is welded
+    to it middle to middle. seen: wheels that are looked at already."""
+    n_axes, seen = 3 if system.space else 2, seen | {body.name}
     for name in system.connections:
         measures = [row.measure for row in system.rows if row.connection == name]
         held = [m for m in measures if isinstance(m, Displacement) and body.center in (m.of, m.origin)]
         if len(held) >= n_axes and len(measures) < 3 * (n_axes - 1):
             return True
+        middles = [{m.of, m.origin} for m in held if m.origin is not None]
+        for other in system.moving if len(measures) == 3 * (n_axes - 1) else ():
+            is_welded = other.is_wheel and middles.count({body.center, other.center}) >= n_axes
+            if is_welded and other.name not in seen and _is_borne(system, other, seen):
+                return True
     return False

@@ -25,11 +25,18 @@ from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.bevels import complete_bevels, with_bevels
 from freebody.system.reading.written.cams import with_cam
 from freebody.system.reading.written.collisions import guide_what_collides
-from freebody.system.reading.written.distances import with_distances
+from freebody.system.reading.written.dimensions import with_units_of_words
+from freebody.system.reading.written.distances import points_along_rods, with_distances
 from freebody.system.reading.written.entries import put_entry_in_order
 from freebody.system.reading.written.form import JOINED, Entry, Written
 from freebody.system.reading.written.gears import bear_gears, place_axles, with_modules
-from freebody.system.reading.written.held import ground_as_line, hold_bodies, raise_walls, roughen_lines
+from freebody.system.reading.written.held import (
+    ground_as_line,
+    hold_bodies,
+    lead_what_is_on,
+    raise_walls,
+    roughen_lines,
+)
 from freebody.system.reading.written.hoops import with_hoop
 from freebody.system.reading.written.joined_places import leave_to_joints
 from freebody.system.reading.written.joints import join_rods, tell_middles
@@ -82,6 +89,7 @@ def as_read(document: Document, file: str | None) -> tuple[Document, list[Messag
 def _put_in_order(w: Written) -> None:
     spell_sections(w)
     w.data = {key: without_brackets(value) if key not in _IN_WORDS else value for key, value in w.data.items()}
+    w.data = cast("Entry", with_units_of_words(w.data))
     if str(w.data.get("space")).lower() in _IN_SPACE:
         w.data["space"], w.space = True, True
         w.moved[("space",)] = ("space",)
@@ -114,8 +122,10 @@ def _put_in_order(w: Written) -> None:
         if section == "bodies":
             hold_bodies(w)
             join_rods(w)
+    lead_what_is_on(w)
     leave_to_joints(w)
     tell_middles(w)
+    points_along_rods(w)
     with_distances(w)
     roughen_lines(w)
     ground_as_line(w)

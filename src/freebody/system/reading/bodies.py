@@ -275,7 +275,7 @@ class BodySections:
         if said is not None:
             word = fields.pop(said)
             own = {key: value for key, value in fields.items() if self._is_of_shapes(key)}
-            hint = kind_meant(word, Shape.kinds, Shape.kinds, space=names.space, fields=own)
+            hint = kind_meant(word, Shape.kinds, Shape.kinds, space=names.space, fields=own, data=self.source.data)
             names.problem(Message("there is no shape {word}.{hint}", word=word, hint=hint), said)
             return None, ""
         own = {key: value for key, value in fields.items() if self._is_of_shapes(key)}
@@ -298,7 +298,7 @@ class BodySections:
             if key not in kinds and key not in options and key not in inside:
                 known = [*Shape.kinds, *options]
                 fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
-                hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=fields)
+                hint = kind_meant(key, Shape.kinds, known, space=names.space, fields=fields, data=self.source.data)
                 if key in SPATIAL_OPTIONS:
                     hint = Message(" It is for models in space: write space: true.")
                 if key in ("acceleration", "Beschleunigung"):

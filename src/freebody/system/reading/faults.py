@@ -9,7 +9,6 @@ from typing import Any, cast
 
 from freebody.connections.base import Connection
 from freebody.errors import InputError
-from freebody.language.document import Document
 from freebody.language.document.writer import flow_text
 from freebody.language.folded import folded
 from freebody.language.sentences import Message, in_turn, listed
@@ -21,16 +20,24 @@ from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import MEANT, Spec
 from freebody.model.written_kinds import put_inside, takes, words_also, written_kind
+from freebody.system.reading.examples import example_of, fields_of_example
+from freebody.system.reading.vocabulary import slips
 
 
 def kind_meant(
-    key: str, kinds: Mapping[str, type[Spec]], known: Iterable[str], *, space: bool, fields: Collection[str] = ()
+    key: str,
+    kinds: Mapping[str, type[Spec]],
+    known: Iterable[str],
+    *,
+    space: bool,
+    fields: Collection[str] = (),
+    data: Mapping[str, Any] | None = None,
 ) -> str:
     """' Did you mean x?' of kinds: what people call so (block: rectangle), of these those that have all fields that are
     given, else by how a name is spelt."""
     fits = {kind: spec for kind, spec in kinds.items() if space or not spec.space_only}
     if (joint := key.removesuffix("_joint")) in fits:
-        return Message(" Did you mean {x}{example}?", x=joint, example=example_of(fits[joint]))
+        return Message(" Did you mean {x}{example}?", x=joint, example=example_of(fits[joint], data))
     words = key.replace("_", " ")
     known = [name for name in known if name in fits or name not in kinds]
     begun = [kind for kind in fits if kind.startswith(f"{key}_")]
@@ -46,7 +53,7 @@ def kind_meant(
         near = near or difflib.get_close_matches(key, words_also(fits), n=1, cutoff=0.8)
         return did_you_mean(key, near) if near else did_you_mean("", known)
     if len(called) == 1:
-        return Message(" Did you mean {x}{example}?", x=called[0], example=example_of(fits[called[0]]))
+        return Message(" Did you mean {x}{example}?", x=called[0], example=example_of(fits[called[0]], data))
     if able and isinstance(fields, dict) and fields:
         first, *others = sorted(called, key=lambda kind: (len(fits[kind].model_fields), kind))
         return Message(
@@ -55,20 +62,6 @@ def kind_meant(
             names=", ".join(others),
         )
     return Message(" Did you mean one of {names}?", names=", ".join(called))
-
-
-def example_of(kind: type[Spec]) -> str:
-    """', e.g. kind: {...}' as its own example has it, if it has one."""
-    fields = fields_of_example(kind)
-    return "" if fields is None else Message(", e.g. {example}", example=flow_text({kind.kind: fields})[1:-1])
-
-
-def fields_of_example(kind: type[Spec]) -> Any:
-    for section in Document.read(kind.example).data.values() if kind.example else ():
-        entries = cast("dict[str, Any]", section) if isinstance(section, dict) else {}
-        if isinstance(own := entries.get("it"), dict):
-            return cast("dict[str, Any]", own).get(kind.kind)
-    return None
 
 
 _SPEEDS = ("velocity", "angular_velocity")  # that stand beside a shape
@@ -96,11 +89,21 @@ class Faults:
     """What is told of a description that cannot be read."""
 
     names: Names
+    data: dict[str, Any]
 
     def _kind_wanted(self, name: str, value: Any, kinds: Mapping[str, type[Spec]]) -> Message:
         """Who writes `gravity: g` gives the name of a kind and what belongs into it."""
+        beside = [*cast("dict[str, Any]", self.data.get(str(self.names.here[0])) or {})] if self.names.here else []
+        following = beside[beside.index(name) + 1] if name in beside[:-1] else ""
+        if value is None and name not in kinds and following in kinds:
+            return Message(
+                "{name} is empty, and {kind}, which belongs to it, stands beside it: begin the line of {kind} with two "
+                "more spaces",
+                name=name,
+                kind=following,
+            )
         if name in kinds:
-            example = fields_of_example(kinds[name]) if value is None else value
+            example = fields_of_example(kinds[name], self.data) if value is None else value
             return Message(
                 "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}",
                 name=name,
@@ -128,7 +131,7 @@ class Faults:
             return self._no_kind("loads" if kinds is Load.kinds else "connections", said, rest, kinds)
         words = {word for key in (name, *fields) for word in folded(str(key)).split("_")}
         if near := [kind for kind in able if kind in words]:
-            example = flow_text({near[0]: fields_of_example(kinds[near[0]])})
+            example = flow_text({near[0]: fields_of_example(kinds[near[0]], self.data)})
             return Message("say of which kind it is, e.g. {name}: {example}", name=name, example=example)
         if isinstance(value, str | int | float) and kinds is Load.kinds:
             return Message("say where it acts and which way, e.g. {name}: {value} down at BODY", name=name, value=value)
@@ -167,7 +170,7 @@ class Faults:
                 what=what,
                 other=taking[0],
             )
-        hint = kind_meant(kind, kinds, kinds, space=self.names.space)
+        hint = kind_meant(kind, kinds, kinds, space=self.names.space, data=self.data)
         return Message("{kind} is no kind of {what}.{hint}", kind=kind, what=what, hint=hint)
 
     def _too_short(self, kind: type[Spec], n: int, absent: Sequence[str], *path: str | int) -> None:
@@ -177,22 +180,25 @@ class Faults:
             kind=kind.kind,
             given=listed([f.alias or name for name, f in list(kind.model_fields.items())[:n]], "{first} and {second}"),
             what=listed(absent, "{first} and {second}"),
-            example=example_of(kind),
+            example=example_of(kind, self.data),
         )
         self.names.problem(told, *path)
 
     def _completed(self, kind: type[Spec], given: dict[str, Any], absent: Sequence[str]) -> str:
         """', e.g. kind: {...}' with what is given and, for what is left out, what the example of the kind has: of a
         point that meets another one, that point of the ground that has the name of the entry."""
-        own = fields_of_example(kind)
+        known = {f.alias or n for n, f in kind.model_fields.items()}
+        own = fields_of_example(kind, self.data, {key: each for key, each in given.items() if key in known})
         example = {} if own is None else kind.from_plain(own)
         meeting = cast("tuple[str, str] | None", getattr(kind, "meeting", None))
         entry = self.names.here[1] if len(self.names.here) > 1 else ""
         if meeting is not None and len(left := [field for field in meeting if field in absent]) == 1:
-            example[left[0]] = f"{GROUND}.{entry}"
-        known = {f.alias or n for n, f in kind.model_fields.items()}
+            other = meeting[0] if left[0] == meeting[1] else meeting[1]
+            held = str(given.get(other))
+            if kind.model_fields[other].is_required() and held.partition(".")[0] != GROUND:
+                example[left[0]] = f"{GROUND}.{entry}"
         if not given.keys() & known or not {*absent} <= example.keys():
-            return example_of(kind)
+            return example_of(kind, self.data)
         whole = {key: each for key, each in given.items() if key in known} | {key: example[key] for key in absent}
         return Message(", e.g. {example}", example=flow_text({kind.kind: whole})[1:-1])
 
@@ -202,8 +208,7 @@ class Faults:
         """Fields that there are not and fields that are left out. Who writes `from` for `first` makes one mistake, and
         so does who means another kind and gives nothing of what this one needs."""
         known = [f.alias or n for n, f in kind.model_fields.items()]
-        alike = {key: tuple(difflib.get_close_matches(key, known, n=1, cutoff=0.6)) for key in strange}
-        meant = {key: kind.meant(key) or alike[key] for key in strange}
+        meant = {key: kind.meant(key) or self._alike(kind, key, known, given) for key in strange}
         for key in strange:
             if key in kind.elsewhere:
                 instead = kind.elsewhere[key]
@@ -222,7 +227,8 @@ class Faults:
                 written = value if option != "velocity" else [value, 0]
                 hint = Message(" Beside it write {entry}", entry=flow_text({option: written})[1:-1])
             self.names.problem(Message("{what} has no {key}.{hint}", what=kind.kind, key=key, hint=hint), *path, key)
-        left = [field for field in absent if not any(field in fields for fields in meant.values())]
+        given_by = [{*fields} | {each for word in fields for each in kind.meant(word)} for fields in meant.values()]
+        left = [field for field in absent if not any(field in fields for fields in given_by)]
         if not left or any(key in kind.elsewhere for key in strange):
             return
         others = [key for key in strange if not meant[key] and key not in kind.elsewhere]
@@ -236,6 +242,14 @@ class Faults:
             example=self._completed(kind, given, left),
         )
         self.names.problem(told, *path)
+
+    def _alike(self, kind: type[Spec], key: str, known: Sequence[str], given: Mapping[str, Any]) -> tuple[str, ...]:
+        """The field that is spelt most alike, by its own word or by a second one that means it: `form` is from."""
+        second = {word: fields for word, fields in kind.second_words().items() if not {*fields} & given.keys()}
+        able = [word for word in (*known, *second) if slips(folded(key), folded(word)) == 1]
+        if len(able) == 1 and able[0] in second and len(key) > len("mu"):
+            return (able[0],)
+        return tuple(difflib.get_close_matches(key, known, n=1, cutoff=0.6))
 
     def _inside_a_kind(self, kind: type[Spec], inside: Sequence[str], value: Any, *path: str | int) -> None:
         """Keys of the entry that are written among the fields of its kind."""
@@ -265,7 +279,7 @@ class Faults:
                 Message("{what} has no {key}: {instead}", what=kind.kind, key=inside[0], instead=said), inside[0]
             )
         elif inside:
-            example = example_of(kind)
+            example = example_of(kind, self.data)
             if not any(key in kind.elsewhere for key in inside):
                 meant = {key: found[0] if len(found := kind.meant(key)) == 1 else key for key in inside}
                 if len({*meant.values()}) == len(inside):
@@ -299,7 +313,7 @@ class Faults:
                     key=key,
                     kind=kind.kind,
                     names=", ".join(fields),
-                    example=example_of(kind),
+                    example=example_of(kind, self.data),
                 )
                 if close := difflib.get_close_matches(key, beside, n=1, cutoff=0.6):
                     told = Message("{what} has no {key}.{hint}", what=name, key=key, hint=did_you_mean(key, close))

@@ -18,6 +18,7 @@ from freebody.model.shapes.base import Shape
 from freebody.model.written_kinds import words_also
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND, SECTIONS
 from freebody.system.reading.source import Source, known_keys
+from freebody.system.reading.vocabulary import SHORT_FORMS
 
 _OF_BODIES = ("mass", "m", "Masse")  # and of nothing else
 _UNITS = ("units", "unit", "einheiten", "einheit")
@@ -49,7 +50,12 @@ def check_sections(source: Source) -> None:
             "freebody",
         )
     if not source.data.get("bodies") and not source.names.is_cut_short:
-        source.names.problem(Message("a model needs at least one body, under bodies"), "bodies")
+        source.names.problem(
+            Message(
+                "a model needs at least one body, under bodies, as bodies: {{block: {{particle: {{mass: 1 kg}}}}}}"
+            ),
+            "bodies",
+        )
         source.names.is_cut_short = True  # what names bodies has no other mistake
 
 
@@ -76,7 +82,7 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             key=key,
             entry=flow_text({"ground": {"points": value}}),
         )
-    if _meant(key) is None and _is_body(key, value):
+    if _meant(key) is None and _is_body(key, value) and empty != "bodies":
         entry = flow_text({"bodies": {key: value}})
         return Message("{key} is a body, which stands under bodies: {entry}", key=key, entry=entry)
     begun, space, rest = key.partition(" ")
@@ -89,15 +95,23 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
             section=empty,
         )
     meant = _meant(key)
+    if meant is None and isinstance(value, dict):
+        return Message(
+            "there is no section and no short form {key}: short forms are {forms}; anything else is written with "
+            "bodies, connections and loads",
+            key=key,
+            forms=", ".join(SHORT_FORMS),
+        )
     hint = Message(" Did you mean {x}?", x=meant) if meant else did_you_mean("", SECTIONS)
     return Message("there is no section {key}.{hint}", key=key, hint=hint)
 
 
 def _is_body(key: str, value: Any) -> bool:
-    """Whether a section says what bodies say: a shape, or a mass."""
+    """Whether a section says what bodies say: a shape with its fields, or a mass."""
     fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
     words = words_also(Shape.kinds)
-    said = (*fields, folded(key)) if fields else ()
+    said = [word for word, each in fields.items() if isinstance(each, dict | None) or word in _OF_BODIES]
+    said += [folded(key)] if fields else []
     return any(word in Shape.kinds or word in words or word in _OF_BODIES for word in said)
 
 

@@ -21,7 +21,7 @@ from freebody.language.document.tree import Place
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.system.reading.sections import MEANT_SECTIONS, OF_GROUND
-from freebody.system.reading.vocabulary import FEWEST, nearest, words_inside, words_of_sections
+from freebody.system.reading.vocabulary import FEWEST, nearest, slips, words_inside, words_of_sections
 from freebody.system.reading.written.form import JOINED
 
 _READINGS, _KEYS_READ = 40, 20_000  # of one file; keys of all of them together
@@ -62,7 +62,7 @@ def told_by_what_is_meant(document: Document, error: ModelError, read: Callable[
             if trials < 0:
                 break
             best = _best(now, words, read)
-            if best is not None and _is_better(best[0], left, best[2]):
+            if best is not None and (_is_better(best[0], left, best[2]) or _hides(best[0], left, best[2])):
                 word, now, found = best
                 corrected.append(_already_told(word, left) or document.locate(word.told()))
                 left, again = found, True
@@ -93,6 +93,17 @@ def _is_better(word: _Word, before: list[Problem], after: list[Problem]) -> bool
     return len(after) + 1 < len(before) or (
         len(after) + 1 == len(before) and is_less and _already_told(word, before) is None
     )
+
+
+def _hides(word: _Word, before: list[Problem], after: list[Problem]) -> bool:
+    """Whether a word with one slip, of which is told what is meant, hides mistakes inside of what it stands for, and
+    with the right one nothing else is wrong that was not."""
+    if slips(folded(word.written), folded(word.meant)) != 1 or (told := _already_told(word, before)) is None:
+        return False
+    kept = {problem.message for problem in before if problem is not told}
+    new = [problem for problem in after if problem.message not in kept]
+    inside = (*word.place, word.meant)
+    return bool(new) and all(problem.path[: len(inside)] == inside for problem in new)
 
 
 def _already_told(word: _Word, problems: list[Problem]) -> Problem | None:

@@ -17,7 +17,8 @@ from freebody.model.noting import did_you_mean
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec, WrongFields
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.faults import Faults, example_of
+from freebody.system.reading.examples import example_of
+from freebody.system.reading.faults import Faults
 from freebody.system.reading.ground_points import GroundPoints
 from freebody.system.unspecified import Unspecified
 
@@ -190,7 +191,7 @@ class Source(Faults, GroundPoints):
                         "{what} takes a value, not {value}{example}",
                         what=what,
                         value=str(fault["input"]).lower(),
-                        example=example_of(kind),
+                        example=example_of(kind, self.data),
                     )
                 is_of_points = not issubclass(kind, Shape) and kind.field_types().get(what) == "text"
                 if fault["type"] == "string_type" and is_of_points and self._is_a_place(fault["input"]):

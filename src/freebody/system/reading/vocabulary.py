@@ -43,6 +43,7 @@ from freebody.system.reading.written import (
 from freebody.system.reading.written.form import JOINED, SAYS_NAME, kinds_of
 
 _FIGURES = (beams, bevels, cams, hoops, joints, linkages, planetary, single, trusses)
+SHORT_FORMS = ("pendulum", "beam", "nodes", "links", "four_bar", "gears", "planetary", "bevel_gears", "cam", "hoop")
 _NEAR, _WORDS_COMPARED = 0.65, 9
 FEWEST = 3  # letters of a word
 

@@ -28,6 +28,7 @@ from freebody.measures.geometry import GROUND
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
+from freebody.system.reading.written.numbers_given import wrong_unit
 
 _BEAMS = ("beam", "balken", "traeger", "girder")
 _SUPPORTS = ("supports", "lager", "auflager")
@@ -68,9 +69,11 @@ def with_beam(w: Written) -> None:
     at, on = (next((key for key in w.data if folded(key) in words), "") for words in (_SUPPORTS, _LOADS))
     given = w.data[beams[0]]
     fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
-    length = next((fields[key] for key in _LENGTH if key in fields), None)
+    word, length = next(((key, fields[key]) for key in _LENGTH if key in fields), ("", None))
     beam = _Beam(beams[0], str(length), w)
     able = length is not None and fields.keys() <= {*_LENGTH, *_MASS}
+    if at and length is not None and (why := wrong_unit(w, word, length, LENGTH)) is not None:
+        w.refuse(why, beam.name, *([word] if isinstance(given, dict) else []))
     if at and not able and not beam.is_of_points(w.data.get(at)):
         strange = [key for key in fields if key not in (*_LENGTH, *_MASS)]
         w.refuse(_no_word(Message("a beam"), strange, ("length", "mass", "supports", "loads")), beam.name)
@@ -138,6 +141,7 @@ class _Beam:
                     "say how it holds and where: {name}: {{pin: 0 m}}, or roller, or fixed", name=said or "A"
                 )
                 self.w.refuse(told, section, step)
+            self._check_place(at, section, step)
             point, there = self._point(name, at), f"ground.{name}"
             self.ground[name] = [at, 0]
             if word in _ROLLERS:
@@ -160,6 +164,9 @@ class _Beam:
             size = _one(fields, _SIZES) or _varying(fields)
             word = _kind(fields) or self._by_unit(size)
             name = said or (f"{word}_{k}" if word else f"load_{k}")
+            if word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
+                for words in (_AT, *_FROM.values()):
+                    self._check_place(_one(fields, words), section, step)
             known = (*SAYS_KIND, *_SIZES, *_AT, *_WAY, *_FROM["from"], *_FROM["to"])
             strange = [key for key in fields if key not in known and not isinstance(fields[key], dict)]
             if strange and word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
@@ -195,6 +202,11 @@ class _Beam:
             turned = {} if way is None else {"direction": way}
             return {"torque": {"on": self._point(name, at), "magnitude": size, **turned}}
         return None
+
+    def _check_place(self, at: Any, *place: str | int) -> None:
+        """Raises ModelError where a distance from the left end has no unit, or another one."""
+        if at is not None and str(at) != "0" and (why := wrong_unit(self.w, "at", at, LENGTH)) is not None:
+            self.w.refuse(why, *place)
 
     def _by_unit(self, size: Any) -> str | None:
         """`{P: 10 kN, x: 2 m}`, `{w: 2 kN/m, from: 3 m, to: 6 m}`: the unit says what a load is."""

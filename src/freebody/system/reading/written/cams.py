@@ -23,8 +23,16 @@ from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MASS
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.dimensions import value_said
 from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
-from freebody.system.reading.written.numbers_given import Words, as_parameters, quantities, refuse_strange
+from freebody.system.reading.written.numbers_given import (
+    Words,
+    as_parameters,
+    quantities,
+    refuse_misread,
+    refuse_strange,
+    says,
+)
 
 _CAMS = ("cam", "eccentric", "eccentric_cam", "cam_disk", "nocken", "exzenter", "nockenscheibe")
 _FOLLOWERS = ("follower", "tappet", "cam_follower", "stoessel")
@@ -62,6 +70,8 @@ def with_cam(w: Written) -> None:
     inside = next((each for each in given if folded(str(each)) in _FOLLOWERS), None)
     beside = next((each for each in w.data if folded(str(each)) in _FOLLOWERS), None)
     led = given.pop(inside) if inside is not None else w.data.get(beside) if beside is not None else None
+    if says(given, _OF_CAM["e"][0]):
+        refuse_misread(w, (key,), given, _OF_CAM)
     said = quantities(w, given, _OF_CAM)
     if said is None or "e" not in said or (inside is not None and beside is not None):
         return
@@ -69,7 +79,17 @@ def with_cam(w: Written) -> None:
     refuse_strange(w, (key,), Message("an eccentric cam"), given, said, ("radius", "eccentricity", "speed", "angle"))
     if "R" not in said:
         w.refuse(Message("an eccentric cam needs a radius: {key}: {{radius: 40 mm, ...}}", key=key), key)
+    large, off = (value_said(w, given[said[symbol]]) for symbol in ("R", "e"))
+    if large is not None and off is not None and not 0 <= off < large:
+        told = Message(
+            "an eccentric cam turns about a point inside of its disk: the eccentricity, {off}, has to be less than the "
+            "radius, {large}",
+            off=str(given[said["e"]]),
+            large=str(given[said["R"]]),
+        )
+        w.refuse(told, key, said["e"])
     form, fields = _form_of(w, led, at)
+    refuse_misread(w, at, fields, _OF_FOLLOWER)
     known = quantities(w, fields, _OF_FOLLOWER)
     refuse_strange(
         w, at, Message("a follower"), fields, known or {}, ("mass", "type: flat, edge, roller", "roller_radius")

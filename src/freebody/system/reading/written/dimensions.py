@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from typing import Any, cast
 
 from freebody.errors import InputError
@@ -55,6 +56,25 @@ def _size(said: Any) -> float | None:
         return float(parse_quantity(said["value"] if isinstance(said, dict) else said).value)
     except (InputError, TypeError, ValueError, KeyError):
         return None
+
+
+_NUMBER = re.compile(r"[-+]?\d+(\.\d*)?")
+_RPM, _NAMED = "rpm", ("parameters", "start", "measures", "questions")  # what holds names
+
+
+def with_units_of_words(value: Any) -> Any:
+    """`rpm: 120`, `sun_rpm: 120` with the unit that the word says, where it says none itself. Beside sections that hold
+    names."""
+    if isinstance(value, list):
+        return [with_units_of_words(each) for each in cast("list[Any]", value)]
+    if not isinstance(value, dict):
+        return value
+    read: Entry = {}
+    for key, each in cast("Entry", value).items():
+        is_rate = str(key).lower().split("_")[-1] == _RPM and not isinstance(each, bool | dict | list | None)
+        is_bare = is_rate and _NUMBER.fullmatch(str(each).strip()) is not None
+        read[key] = f"{each} {_RPM}" if is_bare else each if key in _NAMED else with_units_of_words(each)
+    return read
 
 
 def is_one_number(w: Written, values: list[Any]) -> bool:

@@ -2,6 +2,7 @@
 
 F: {force: F, at: 5 m, direction: down}            F: {force: {at: beam.F, ...}}   (the only rod of the file)
 q: {distributed: q, on: beam, from: 0, to: 4 m}    q: {distributed: {between: [beam.start, beam.q_to], ...}}
+rod: {rod: ..., points: {P: 2 m, Q: 1 m from end}}   rod: {..., points: {P: [2 m - L/2, 0], Q: [L/2 - 1 m, 0]}}
 B: {pin: beam, at: 2 m}                            B: {pin: [ground.B, beam.B]}
 brake: {contact: [lever, drum], at: a}             brake: {contact: [lever.brake, drum]}
 
@@ -10,10 +11,12 @@ with points of the rod, beam: {points: {F: [5 m - (6 m)/2, 0]}}, from whose midd
 
 from __future__ import annotations
 
+import re
 from typing import Any, cast
 
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
+from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH, STIFFNESS
 from freebody.measures.geometry import GROUND
@@ -27,6 +30,9 @@ from freebody.system.reading.written.points import is_joint
 _AT = ("at", "position", "distance", "x", "location", "place", "on")
 _FROM, _TO = ("from", "start", "begin", "x1"), ("to", "end", "x2", "until")
 _OWNERS = ("on", "body", "of")
+_FROM_END = re.compile(r"(?P<far>.+?) from (the )?(?P<end>start|end)")
+_MIDDLES = ("middle", "center", "centre", "mitte")
+_SAID_WHENCE = re.compile(rf" from |{'|'.join(_MIDDLES)}")
 _ROD, _SPREAD, _GUIDED = "rod", "distributed", "pin"
 
 
@@ -46,6 +52,34 @@ def with_distances(w: Written) -> None:
                     read = _Places(w, name, rods).read(fields, kinds_of(section)[kind])
                     if read != fields:
                         w.data[section][name] = {**cast("Entry", entry), word: read}
+
+
+def points_along_rods(w: Written) -> None:
+    """`points: {P: 2 m, Q: 1 m from end, C: middle}` of a rod: places on its axis, from its start where nothing else is
+    said."""
+    if w.space or not are_mappings(w, "bodies"):
+        return
+    for rod, length in _rods(w).items():
+        entry = cast("Entry", w.data["bodies"][rod])
+        given = entry.get("points")
+        points = cast("Entry", given) if isinstance(given, dict) else {}
+        read = {name: _along(w, place, length) for name, place in points.items()}
+        if found := {name: place for name, place in read.items() if place is not None}:
+            w.data["bodies"] = {**w.data["bodies"], rod: {**entry, "points": {**points, **found}}}
+            if any(not isinstance(points[name], str) or _SAID_WHENCE.search(points[name]) is None for name in found):
+                w.assumed.append(Message("distances along {rod} count from {start}", rod=rod, start=f"{rod}.start"))
+
+
+def _along(w: Written, place: Any, length: str) -> list[Any] | None:
+    """A place on the axis of a rod from its middle."""
+    said = _FROM_END.fullmatch(place.strip()) if isinstance(place, str) else None
+    if isinstance(place, str) and folded(place) in _MIDDLES:
+        return ["0", 0]
+    far = said["far"] if said is not None else place
+    if dimension_said(w, far) != LENGTH:
+        return None
+    is_back = said is not None and said["end"] == "end"
+    return [f"({length})/2 - ({far})" if is_back else f"({far}) - ({length})/2", 0]
 
 
 def place_on_body(w: Written, name: str, entry: Entry) -> Entry:

@@ -27,6 +27,7 @@ from freebody.system.reading.written.scalars import PLACES_OF_BODIES
 
 _ROLLING, _WALL = "rolling", "wall"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
+_LED, _ON, _ALONG = ("body", "pin"), "on", "along"
 _OF_TOUCHING = {"friction", "restitution"}
 
 
@@ -47,6 +48,34 @@ def hold_bodies(w: Written) -> None:
                 w.moved["connections", called] = (*w.stood(("bodies", name)), key)
             rest = cast("Entry", w.data["bodies"][name])
             w.data["bodies"][name] = {k: v for k, v in rest.items() if k != key and k not in own}
+
+
+def lead_what_is_on(w: Written) -> None:
+    """`{slider: {on: ram, along: up}}` that says no body: where every body is held and nothing else guides the ram,
+    what might be on it is nothing of the file, so the ram is guided, on the ground. That is told."""
+    bodies, connections = w.data.get("bodies"), w.data.get("connections")
+    if not isinstance(bodies, dict) or not isinstance(connections, dict):
+        return
+    guides: dict[str, tuple[str, str, Entry]] = {}  # by the connections: the word, the field of what is led, the fields
+    for name, entry in cast("Entry", connections).items():
+        for word, value in cast("Entry", entry).items() if isinstance(entry, dict) else ():
+            kind = written_kind(word, value, Connection.kinds, space=w.space)
+            known = {} if kind is None else Connection.kinds[kind].model_fields
+            led = next((field for field in _LED if field in known), None)
+            if kind is not None and led is not None and {_ON, _ALONG} <= known.keys():
+                guides[name] = word, led, Connection.kinds[kind].from_plain(value)
+    for name, (word, led, fields) in guides.items():
+        body = str(fields.get(_ON)).partition(".")[0]
+        others = [each.get(field, each.get(_ON)) for other, (_w, field, each) in guides.items() if other != name]
+        is_held = all(_names([*connections.values()], each) for each in cast("Entry", bodies))
+        is_free = body in bodies and not any(_names(each, body) for each in (*others, fields.get(_ALONG)))
+        if led in fields or not is_held or not is_free:
+            continue
+        read = {led if key == _ON else key: each for key, each in fields.items()}
+        w.data["connections"] = {**w.data["connections"], name: {**connections[name], word: read}}
+        w.assumed.append(
+            Message("{name} says no body that is guided on {body}: {body} is guided", name=name, body=body)
+        )
 
 
 def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:

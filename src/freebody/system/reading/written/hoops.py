@@ -18,7 +18,15 @@ from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH, MAS
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.written.cams import SPEEDS
 from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
-from freebody.system.reading.written.numbers_given import Words, as_parameters, quantities, refuse_strange, weigh
+from freebody.system.reading.written.numbers_given import (
+    Words,
+    as_parameters,
+    quantities,
+    refuse_misread,
+    refuse_strange,
+    says,
+    weigh,
+)
 
 _HOOPS, _BEADS = ("hoop", "rotating_hoop", "turning_hoop", "reifen", "drahtring"), ("bead", "perle", "ring_on_hoop")
 _OF_HOOP: Words = {
@@ -46,6 +54,9 @@ def with_hoop(w: Written) -> None:
         return
     hoop = cast("Entry", w.data[key])
     bead = {word: each for word, each in cast("Entry", w.data[other]).items() if word != _ON or each != key}
+    if says(hoop, _OF_HOOP["R"][0]):
+        refuse_misread(w, (key,), hoop, _OF_HOOP)
+        refuse_misread(w, (other,), bead, _OF_BEAD)
     said, own = quantities(w, hoop, _OF_HOOP), quantities(w, bead, _OF_BEAD)
     if said is None or own is None or "R" not in said:
         return

@@ -15,9 +15,10 @@ from typing import Any, cast
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, LENGTH
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
+from freebody.system.reading.written.numbers_given import wrong_unit
 
 _LINKS = ("links", "Glieder")
 _FRAMES = ("ground", "frame", "fixed", "base", "ground_link", "fixed_link", "gestell")
@@ -93,6 +94,8 @@ def _with_four_bars(w: Written) -> None:
     if folded(str(key)) in _FOUR_BARS or all(len(str(name)) >= len("arm") for name in entries):
         entries, stood = _by_parts(entries)  # letters among links are names
     given = {name: _length(entry) for name, entry in entries.items()}
+    if folded(str(key)) in _FOUR_BARS or len(given) == len(_PARTS):
+        _refuse_misread(w, key, given, start)
     fixed = [name for name in given if folded(name) in _FRAMES]
     moving = [name for name in given if name not in fixed]
     pins: Entry = dict(zip(_HINGED, _ends_of(moving), strict=False))
@@ -142,6 +145,22 @@ def _with_four_bars(w: Written) -> None:
             D=_HINGED[-1],
         )
     )
+
+
+def _refuse_misread(w: Written, key: str, lengths: Entry, start: dict[str, tuple[str, Any]]) -> None:
+    """Raises ModelError where one length of four has no unit beside others that have one, or the crank turns at a rate
+    that is none."""
+    known = {name: dimension_said(w, value) for name, value in lengths.items()}
+    others = [str(value).split() for name, value in lengths.items() if known[name] == LENGTH]
+    unit = next((parts[1] for parts in others if len(parts) == len(("10", "cm"))), "")
+    for name, value in lengths.items() if LENGTH in known.values() else ():
+        is_bare = value is not None and known[name] not in (None, LENGTH)
+        if is_bare and (why := wrong_unit(w, name, value, LENGTH, unit)) is not None:
+            w.refuse(why, key, name)
+    for said, (at, value) in start.items():
+        wanted = ANGULAR_VELOCITY if said.startswith("rate") else DIMENSIONLESS
+        if str(value) != "0" and (why := wrong_unit(w, at, value, wanted)) is not None:
+            w.refuse(why, key, at)
 
 
 def _apart_from_start(w: Written, given: Entry) -> tuple[Entry, dict[str, tuple[str, Any]]]:

@@ -6,9 +6,13 @@ from __future__ import annotations
 from collections.abc import Mapping
 from typing import Any, TypeAlias, cast
 
+from freebody.errors import InputError
+from freebody.language.expression import free_symbols
 from freebody.language.folded import folded
+from freebody.language.parser import parse
 from freebody.language.sentences import Message, in_turn
-from freebody.language.units import Dimension
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, Dimension, parse_quantity, unit_of
+from freebody.model.formulas import unit_differs
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import Entry, Written
 
@@ -23,10 +27,56 @@ def refuse_strange(
     """Raises ModelError where a figure says what is not among the numbers that it has. said: the keys of those."""
     if strange := [str(key) for key in given if key not in said.values()]:
         told = Message("{what} has no {key}; it has {known}", what=what, key=in_turn(strange), known=in_turn(known))
-        if strange[0] in known:
-            value = str(given[strange[0]])
-            told = Message("{key}: {value} has not the unit of {key}", key=strange[0], value=value)
         w.refuse(told, *place, strange[0])
+
+
+def says(given: Entry, words: tuple[str, ...]) -> bool:
+    """Whether a figure says something of a number, in whatever unit."""
+    return any(folded(str(key)) in words and not isinstance(each, dict | list) for key, each in given.items())
+
+
+def refuse_misread(w: Written, place: tuple[Any, ...], given: Entry, words: Words) -> None:
+    """Raises ModelError where a figure says one of its numbers twice, in words, without a unit or in a wrong one."""
+    by_symbol: dict[str, str] = {}
+    for key, value in given.items():
+        own = [(symbol, dimension) for symbol, (called, dimension) in words.items() if folded(str(key)) in called]
+        if len(own) != 1 or isinstance(value, dict | list):
+            continue
+        ((symbol, dimension),) = own
+        if (first := by_symbol.setdefault(symbol, key)) != key:
+            told = Message("{first} and {second} say the same: write one of the two", first=first, second=key)
+            w.refuse(told, *place, key)
+        if (why := wrong_unit(w, key, value, dimension)) is not None:
+            w.refuse(why, *place, key)
+
+
+def wrong_unit(w: Written, key: str, value: Any, wanted: Dimension, usual: str = "") -> Message | None:
+    """What is wrong with a number that has another unit than that of what it is, or is none, and what to write; None
+    where it is right, or where only its use can tell: of an angle, and of a name. usual: the unit of others of its
+    kind."""
+    found = dimension_said(w, value)
+    if found == wanted or (isinstance(value, str) and value.isidentifier()):
+        return None
+    if found is None:
+        return _no_quantity(w, value)
+    unit = "rad/s" if wanted == ANGULAR_VELOCITY else "30 deg" if wanted == DIMENSIONLESS else usual or unit_of(wanted)
+    entry = f"{value} {unit}" if found == DIMENSIONLESS else unit if wanted == DIMENSIONLESS else f"1 {unit}"
+    return Message("{why}: write {key}: {entry}", why=unit_differs(key, found, wanted), key=key, entry=entry)
+
+
+def _no_quantity(w: Written, value: Any) -> Message | None:
+    """What is wrong with what is neither a quantity nor a formula in parameters of the file."""
+    known = cast("Entry", w.data.get("parameters") or {})
+    try:
+        if any(name in known for name in free_symbols(parse(str(value)))):
+            return None
+    except InputError:
+        pass
+    try:
+        parse_quantity(value)
+    except InputError as error:
+        return cast("Message", error.args[0])
+    return None
 
 
 def weigh(w: Written) -> None:

@@ -15,10 +15,11 @@ from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS
+from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.written.dimensions import dimension_said, is_one_number, value_said
 from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
+from freebody.system.reading.written.numbers_given import wrong_unit
 from freebody.system.reading.written.toothed import MASSES, MODULE, TEETH, WORDS, M, N, of_wheel, one_of
 
 _SECTIONS = ("planetary", "planetary_gear", "planetary_gears", "planetary_gear_set", "epicyclic", "epicyclic_gear")
@@ -54,6 +55,10 @@ def with_planetary(w: Written) -> None:
     driven = next((each for each in given if folded(str(each)) in _DRIVEN and isinstance(given[each], dict)), None)
     if driven is not None and any(folded(str(each)) in _DRIVEN for each in w.data):
         problem = problem or _twice(driven)
+    for part, speed in cast("Entry", given[driven] if driven is not None else {}).items():
+        is_scalar = not isinstance(speed, bool | dict | list | None) and str(speed) != "0"
+        if is_scalar and (why := wrong_unit(w, str(part), speed, ANGULAR_VELOCITY)) is not None:
+            w.refuse(why, key, str(driven), str(part))
     others = [each for each in given if each not in called.values() and folded(str(each)) not in (*_MODULE, *_HELD)]
     others = [each for each in others if each not in (driven, "copies")]
     problem = problem or _contradiction(w, given, fields, held, others)

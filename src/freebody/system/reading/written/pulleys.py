@@ -26,6 +26,7 @@ from freebody.model.written_kinds import written_kind
 from freebody.system.reading.written.form import Entry, Written, are_mappings, shape_of
 
 _ROPES = ("string", "heavy_rope", "belt", "chain", "gear_mesh", "rolling")
+_WELD = "weld"
 _STRING, _PIN, _CONTACT, _SLIDER, _POINT = "string", "pin", "contact", "slider", "particle"
 
 
@@ -85,7 +86,9 @@ def _wind(w: Written, string: str, fields: Entry) -> None:
     round_ends = [end for end in ("from", "to") if _is_round(bodies.get(str(fields.get(end))))]
     radius = fields.get("radius")
     borne = {
-        end for end in round_ends if any(True for _ in _axles(w, str(fields[end]))) and _is_free(w, str(fields[end]))
+        end
+        for end in round_ends
+        if any(True for each in _shaft(w, str(fields[end])) for _ in _axles(w, each)) and _is_free(w, str(fields[end]))
     }
     wound = {end: f"wound on {fields[end]}" for end in round_ends if end in borne}
     if radius is not None and len(round_ends) == 1:
@@ -99,6 +102,17 @@ def _wind(w: Written, string: str, fields: Entry) -> None:
     w.data["connections"] = {**w.data["connections"], string: {word: read}}
     for way in wound.values():
         w.assumed.append(Message("{string} is {way}, not tied to its middle", string=string, way=way))
+
+
+def _shaft(w: Written, wheel: str) -> list[str]:
+    """A wheel and those that are welded to it middle to middle: they turn about one axle."""
+    found = [wheel]
+    for each in found:
+        for _name, fields in of_kind(w.data["connections"], _WELD):
+            ends = [str(fields.get(end)).removesuffix(".center") for end in ("first", "second")]
+            if each in ends and all(_is_round(w.data["bodies"].get(end)) for end in ends):
+                found += [end for end in ends if end not in found]
+    return found
 
 
 def _is_free(w: Written, body: str) -> bool:

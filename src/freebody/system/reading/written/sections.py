@@ -39,6 +39,7 @@ from freebody.system.reading.written.form import (
     kinds_of,
     section_of,
     takes_as,
+    without_options,
 )
 from freebody.system.reading.written.lists import name_items, with_names
 from freebody.system.reading.written.spelling import spell_entry
@@ -63,6 +64,9 @@ _PLACES = ("points", "nodes", "joints")  # sections that may hold places
 def rename_sections(w: Written) -> None:
     """Sections under other words."""
     for key, value in list(w.data.items()):
+        if isinstance(value, dict) and key not in SECTIONS:
+            _lift_joints(w, key, cast("Entry", value))
+    for key, value in list(w.data.items()):
         if key in w.refused:
             continue
         if key in (*SECTIONS, *OF_GROUND) or (key in _PLACES and _are_places(value)):
@@ -76,8 +80,11 @@ def rename_sections(w: Written) -> None:
                 _rename(w, key, "title", value)
             continue
         if (plural := _plural(w, key)) is not None:
-            are_bodies = plural[0] != "bodies" and _are_bodies(w, value)
-            _rename(w, key, *(("bodies", value) if are_bodies else (plural[0], _of_kind(w, plural[1], value))))
+            if plural[0] != "bodies" and _are_bodies(w, value):
+                _rename(w, key, "bodies", value)
+            else:
+                section = "bodies" if _are_of_shape(w, plural[1], value) else plural[0]
+                _rename(w, key, section, _of_kind(w, plural[1], value))
         elif (section := MEANT_SECTIONS.get(key)) is not None:
             _rename(w, key, section, value)
     if isinstance(w.data.get("questions"), str):
@@ -218,6 +225,38 @@ def _are_bodies(w: Written, value: Any) -> bool:
         and all(isinstance(item, dict) and _BODIES_SAY & item.keys() for item in each)
         and not w.data.get("bodies")
     )
+
+
+def _are_of_shape(w: Written, word: str, value: Any) -> bool:
+    """Whether entries that are called by a word for a shape and a connection, as gears are, have what the shape needs,
+    and none of them what the connection does."""
+    items = [*cast("Entry", value).values()] if isinstance(value, dict) else []
+
+    def take(item: Any, section: str) -> bool:
+        return takes_as(word, without_options(w, section, item), kinds_of(section), space=w.space)
+
+    return bool(items) and all(take(item, "bodies") and not any(take(item, at) for at in JOINED) for item in items)
+
+
+def _lift_joints(w: Written, key: str, value: Entry) -> None:
+    """`gears: {a: {teeth: 20}, b: {teeth: 40}, meshes: [[a, b]]}`: how bodies of one kind are joined stands beside
+    them."""
+    if (plural := _plural(w, key)) is None or not _are_of_shape(
+        w, plural[1], {k: v for k, v in value.items() if isinstance(v, dict)}
+    ):
+        return
+    inside = [
+        each for each, items in value.items() if isinstance(items, list) and each not in w.data and _joins(w, each)
+    ]
+    w.data[key] = {each: items for each, items in value.items() if each not in inside}
+    w.data |= {each: value[each] for each in inside}
+    w.moved |= {(each,): (key, each) for each in inside}
+
+
+def _joins(w: Written, key: str) -> bool:
+    """Whether a word is one for connections of one kind."""
+    plural = _plural(w, key)
+    return plural is not None and plural[0] == "connections"
 
 
 def _of_kind(w: Written, word: str, value: Any) -> Any:

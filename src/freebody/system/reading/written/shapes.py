@@ -11,13 +11,13 @@ from __future__ import annotations
 
 import re
 from difflib import get_close_matches
-from typing import Any
+from typing import Any, cast
 
 from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import SAME, Spec
-from freebody.model.written_kinds import written_kind
+from freebody.model.written_kinds import takes, written_kind
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.form import JOINED, Entry, Written, as_option, keys_beside, takes_as
 from freebody.system.reading.written.vectors import SPEEDS
@@ -26,6 +26,13 @@ _TURNS = ("angular_velocity", "angle", "turned", "points", "lines", "outline")
 _ALIKE = 0.7  # of a word to that of a field: a slip of the pen
 _DISK, _ROD = "disk", "rod"
 _ENDS = (("from", "to"), ("start", "end"), ("von", "nach"))
+_ANGLE, _NEAR = "angle", "near"
+_WAYS = {
+    **dict.fromkeys(("right", "rechts", "horizontal", "level", "waagerecht"), 0),
+    **dict.fromkeys(("up", "upward", "upwards", "oben"), "90 deg"),
+    **dict.fromkeys(("left", "links"), "180 deg"),
+    **dict.fromkeys(("down", "downward", "downwards", "unten"), "-90 deg"),
+}
 _LENGTH = "length"  # what says that alone is a rod
 _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of them
 
@@ -33,6 +40,7 @@ _FEWEST = 2  # fields by which one shape is known; a mass alone is one of all of
 def with_shape(w: Written, name: str, entry: Entry) -> Entry:
     """The entry of a body with its shape, where it has none and can have one only, and beside it what no shape has."""
     beside = keys_beside("bodies", space=w.space)
+    entry = entry if w.space else _of_known_inertia(turned_in_words(w, entry))
     entry = _between_ends(w, name, entry)
     fields = {key: value for key, value in entry.items() if not as_option(key, beside)}
     said = next((key for key in SAYS_KIND if isinstance(fields.get(key), str)), None)
@@ -70,6 +78,29 @@ def with_shape(w: Written, name: str, entry: Entry) -> Entry:
         Message("{name} says {fields} and no shape: it is a {kind}", name=name, fields=", ".join(own), kind=shape)
     )
     return _with(w, name, entry, shape, own)
+
+
+def _of_known_inertia(entry: Entry) -> Entry:
+    """`wheel: {mass: m, radius: R, inertia: J}`: a disk and a hoop of the same inertia move alike."""
+    disk = Shape.kinds[_DISK]
+    for word, value in entry.items():
+        is_open = word in disk.called and written_kind(word, value, Shape.kinds, space=False) is None
+        if is_open and takes(disk, value) and "inertia" in disk.from_plain(value):
+            return {_DISK if key == word else key: each for key, each in entry.items()}
+    return entry
+
+
+def turned_in_words(w: Written, entry: Entry) -> Entry:
+    """`angle: down` of a body of the plane: the way of its x axis, as a direction says it."""
+    given = w.data.get("parameters")
+    known = cast("Entry", given) if isinstance(given, dict) else {}
+    angle = entry.get(_ANGLE)
+    if isinstance(angle, str) and angle not in known and (turned := _WAYS.get(folded(angle))) is not None:
+        entry = {**entry, _ANGLE: turned}
+    near = entry.get(_NEAR)
+    if isinstance(near, dict) and (turned := turned_in_words(w, cast("Entry", near))) is not near:
+        entry = {**entry, _NEAR: turned}
+    return entry
 
 
 def _between_ends(w: Written, name: str, entry: Entry) -> Entry:

@@ -18,7 +18,15 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, FORCE, LENGTH, MASS, TIME
 from freebody.system.reading.sections import MEANT_SECTIONS
 from freebody.system.reading.written.form import Entry, Vocabulary, Written, are_mappings
-from freebody.system.reading.written.numbers_given import Words, as_parameters, quantities, refuse_strange, weigh
+from freebody.system.reading.written.numbers_given import (
+    Words,
+    as_parameters,
+    quantities,
+    refuse_misread,
+    refuse_strange,
+    says,
+    weigh,
+)
 
 _SECTIONS = ("parameters", "ground", "connections", "loads", "measures", "start")
 _STIFFNESS, _DAMPING = FORCE / LENGTH, FORCE * TIME / LENGTH
@@ -59,6 +67,8 @@ def with_single(w: Written) -> None:
 
 
 def _with_oscillator(w: Written) -> None:
+    if all(says(w.data, _OSCILLATOR[symbol][0]) for symbol in ("m", "k")):
+        refuse_misread(w, (), w.data, _OSCILLATOR)
     said = quantities(w, w.data, _OSCILLATOR)
     if said is None or not {"m", "k"} <= said.keys():
         return
@@ -100,10 +110,13 @@ def _excitation(w: Written, key: str) -> Any:
 def _with_pendulum(w: Written) -> None:
     key = next((key for key in w.data if folded(str(key)) in _CALLED and isinstance(w.data[key], dict)), None)
     given = cast("Entry", w.data[key]) if key is not None else {}
-    said = quantities(w, given, _PENDULUM)
-    if key is None or not said or w.data.get("measures"):
+    if key is None or w.data.get("measures"):
         return
-    if "L" not in said and "m" in said and not any(isinstance(each, dict) for each in given.values()):
+    if says(given, _PENDULUM["L"][0]):
+        refuse_misread(w, (key,), given, _PENDULUM)
+    said = quantities(w, given, _PENDULUM) or {}
+    is_alone = "m" in said or not any(w.data.get(section) for section in ("ground", "connections", "loads"))
+    if "L" not in said and is_alone and not any(isinstance(each, dict | None) for each in given.values()):
         w.refuse(Message("a pendulum needs a length: {key}: {{length: 1 m, mass: 2 kg}}", key=key), key)
     if "L" not in said:
         return

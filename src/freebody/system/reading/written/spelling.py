@@ -6,6 +6,7 @@ One letter is a name: `m` and `M` are not the same.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Iterable
 from functools import cache
 from typing import Any, cast
@@ -68,6 +69,20 @@ def sides_as_called(w: Written) -> None:
     for section in ("bodies", *JOINED) if called else ():
         if section in w.data:
             w.data[section] = _called(w.data[section], called)
+    for section in ("measures", "questions") if called else ():
+        if section in w.data:
+            w.data[section] = _said_with(w.data[section], called)
+
+
+def _said_with(value: Any, names: dict[str, str]) -> Any:
+    """Sentences with the names in them."""
+    if isinstance(value, dict):
+        return {key: _said_with(each, names) for key, each in cast("Entry", value).items()}
+    if isinstance(value, list):
+        return [_said_with(each, names) for each in cast("list[Any]", value)]
+    for name, meant in names.items() if isinstance(value, str) else ():
+        value = re.sub(rf"(?<![\w.]){re.escape(name)}\b", meant, value)
+    return value
 
 
 def _called(value: Any, names: dict[str, str]) -> Any:

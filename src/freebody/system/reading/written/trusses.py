@@ -18,8 +18,8 @@ from freebody.language.document.tree import Place
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import name_problem
 from freebody.language.folded import folded
-from freebody.language.sentences import Message
-from freebody.system.reading.written.form import Entry, Vocabulary, Written
+from freebody.language.sentences import Message, in_turn
+from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
 
 _MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
 _PLACES = ("nodes", "joints", "points", "knoten")
@@ -85,13 +85,34 @@ def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supp
                 **dict(zip(("first", "second"), [*places, "A", "B"], strict=False)),
             )
             problems.append(Problem((members_key, step), told))
+        elif isinstance(entry, dict) and (more := [key for key in entry if key not in (*_ENDS, *SAYS_NAME)]):
+            told = Message(
+                "a member of a truss is a massless link and has no {key}: leave it out, and put a weight on its nodes "
+                "as loads, {node}: 100 N down",
+                key=in_turn([*map(str, more)]),
+                node=nodes.partition(",")[0],
+            )
+            problems.append(Problem((members_key, step, more[0]), told))
     for node, said in cast("Entry", supports).items() if isinstance(supports, dict) else ():
         if node not in places:
             told = Message("there is no node {node}. Nodes: {nodes}", node=node, nodes=nodes)
             problems.append(Problem((supports_key, node), told))
         fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
         word = fields.get("type")
-        if isinstance(word, str) and folded(word) not in (*_PINNED, *_ROLLER):
+        held = [*fields] if word is None and len(fields) == 1 else [word]
+        known = ("type", *(_WAY if folded(str(word)) in _ROLLER else ()))
+        more = [key for key in fields if key not in known] if word is not None else []
+        inside = fields[held[0]] if word is None and len(held) == 1 and held[0] in fields else None
+        more += [*cast("Entry", inside)] if isinstance(inside, dict) else []
+        if more and folded(str(held[0])) in (*_PINNED, *_ROLLER):
+            told = Message(
+                "a {kind} of a truss has no {key}; it is {node}: {kind}, a roller also {{type: roller, along: 30 deg}}",
+                kind=str(held[0]),
+                key=in_turn([*map(str, more)]),
+                node=node,
+            )
+            problems.append(Problem((supports_key, node), told))
+        elif isinstance(word, str) and folded(word) not in (*_PINNED, *_ROLLER):
             told = Message("a truss has no support {kind}: supports are pin and roller", kind=word)
             problems.append(Problem((supports_key, node), told))
     if problems:

@@ -101,6 +101,12 @@ def by_axes(value: Any) -> Any:
     return [value[axis] for axis in "xyz" if axis in value]
 
 
+# `velocity: 5 m/s at 30 deg`, `velocity: v0 down`
+_SPEED_AND_WAY = re.compile(
+    r"(?P<speed>.+?) (?:(?:at|under|unter) (?P<angle>[^ ].*)|(?:to the )?(?P<way>right|left|up|down))"
+)
+
+
 def with_axes(w: Written, place: Place, entry: Entry) -> Entry:
     """`{x: 1 m, y: 2 m, vx: 3 m/s}` of a body as its place and velocity; an axis that is left out is zero there."""
     axes = "xyz" if w.space else "xy"
@@ -152,14 +158,15 @@ def with_velocity(w: Written, place: Place, entry: Entry) -> Entry:
     is_point = any(written_kind(key, each, Shape.kinds, space=w.space) == _POINT for key, each in entry.items())
     turns = _TURNS if is_point else ()  # an angle of what does not turn is that of its velocity
     speeds, ways = ([key for key in keys if _is_scalar(entry.get(key))] for keys in (SPEEDS, (*_DIRECTIONS, *turns)))
-    if w.space or len(speeds) != 1 or len(ways) != 1:
+    said = _SPEED_AND_WAY.fullmatch(str(entry[speeds[0]]).strip()) if len(speeds) == 1 and not ways else None
+    if w.space or len(speeds) != 1 or (len(ways) != 1 and said is None):
         return entry
-    v, way = entry[speeds[0]], entry[ways[0]]
+    v, way = (said["speed"], said["way"] or said["angle"]) if said is not None else (entry[speeds[0]], entry[ways[0]])
     parts = [f"({v})*{turn}({way})" for turn in ("cos", "sin")]
     if (axes := _WAYS.get(str(way))) is not None:
         parts = [{0: 0, 1: v, -1: f"-({v})"}[sense] for sense in axes]
     w.moved[*place, "velocity"] = (*w.stood(place), speeds[0])
-    rest = {key: value for key, value in entry.items() if key not in (speeds[0], ways[0])}
+    rest = {key: value for key, value in entry.items() if key not in (speeds[0], *ways)}
     return {**rest, "velocity": parts}
 
 
