@@ -338,6 +338,6 @@ def test_the_name_of_something_is_spelt_as_in_the_file_where_a_sentence_begins()
     from freebody.language.sentences import Sentence
     from freebody.narrative.telling.catalogue import Catalogue
 
-    told = Catalogue("de").plain(Sentence("phases.slips", {"connection": "foot"}))
+    told = Catalogue("de").plain(Sentence("contact.touches", {"connection": "foot"}))
     assert "foot" in told
     assert "Foot" not in told
