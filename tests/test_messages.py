@@ -200,7 +200,7 @@ HAPPENING = Message("{contact} opens", contact="left")
         ),
         (
             Message("{axis} component: {reason}", axis="x", reason=Message("is {factor} times the answer", factor=2)),
-            "x-Komponente: ist 2 mal die Antwort",
+            "x-Komponente: ist das 2-fache der Antwort",
         ),
         (
             Message(

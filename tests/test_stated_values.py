@@ -51,6 +51,9 @@ STATED = [
         "tension of rope at left",
         {"m1": "4 kg", "m2": "1 kg"},
     ),
+    ("yo_yo", "Wie groß ist die Fadenkraft, wenn m um 20 % erhöht wird?", "tension of string", {"m": "0.12 kg"}),
+    ("yo_yo", "tension of the string if the mass is doubled", "tension of string", {"m": "0.2 kg"}),
+    ("yo_yo", "Fadenkraft, wenn m auf 0,3 kg erhöht wird", "tension of string", {"m": "0.3 kg"}),
     (
         "isolated_machine",
         "How much does the machine move up and down at 90 rad/s?",
@@ -97,6 +100,8 @@ def test_a_value_of_the_file_is_no_other_one() -> None:
         ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Federkraft von 5 N"),
         ("cart_and_pendulum", "Beschleunigung des Wagens mit einer Trägheitskraft von 5 N"),
         ("cart_and_pendulum", "acceleration of the cart with a braking force of 5 N"),
+        ("yo_yo", "Wie ändert sich die Fadenkraft, wenn die Masse verdoppelt wird?"),
+        ("yo_yo", "by what factor does the tension change if m is doubled"),
         ("band_brake", "force on the hinge with a rope force of 5 N"),
     ],
 )

@@ -120,7 +120,7 @@ def _when(question: Question, system: System) -> Argument:
         of = question.event.quantity.sentence(system)
         if of is not None:
             return Sentence(f"ask.{word}_quantity", {"what": of, "value": question.event.target})
-        return Sentence("ask.when_transition", {"text": question.event.text})
+        return _worded(question.event.text, word)
     event = question.event
     if isinstance(event, ChangeEvent):
         what = parse(event.phrase) if event.phrase in system.measures else event.phrase
@@ -137,4 +137,12 @@ def _when(question: Question, system: System) -> Argument:
             return Sentence(f"ask.{word}", {"left": parse(left.strip()), "right": event.value})
     except ExpressionError:
         pass
-    return Sentence("ask.when_transition", {"text": question.event.text})
+    return _worded(question.event.text, word)
+
+
+def _worded(event: str, word: str) -> Sentence:
+    """When something is, as it was asked: a quantity that has a value, or what happens."""
+    what, equals, value = (part.strip() for part in event.partition("="))
+    if equals:
+        return Sentence(f"ask.{word}_quantity", {"what": what, "value": value})
+    return Sentence("ask.when_transition", {"text": event})

@@ -227,14 +227,8 @@ def _with_formulas(words: str) -> list[Piece]:
 
 
 def _with_capital(piece: Piece) -> Piece:
-    """What begins a sentence; a formula stays as it is."""
-    match piece:
-        case str():
-            return piece[:1].upper() + piece[1:]
-        case Emphasis(words, look):
-            return Emphasis(words[:1].upper() + words[1:], look)
-        case _:
-            return piece
+    """What begins a sentence; a formula stays as it is, and so does the name of something."""
+    return piece[:1].upper() + piece[1:] if isinstance(piece, str) else piece
 
 
 def _is_single(sentence: Sentence) -> bool:

@@ -53,7 +53,7 @@ _GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
 _SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
 _POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
 _BETWEEN = re.compile(r"(, then |, | and | or )")
-_CALCULATED = re.compile(r"(?P<before>(?:[\w.]+ ?(?:[*/]|[-+] ) ?)?)[(|]")
+_CALCULATED = re.compile(r"(?P<before>(?:[\w.]+ ?(?:[*/]|[-+] ) ?)*)[(|]")
 _CALCULATED_ON = re.compile(r"(?P<sign>(?:\^\d+)? ?[-+*/] ?)(?P<rest>.+)|(?P<power>(?:\^\d+)?)")
 
 
@@ -91,9 +91,14 @@ class Phrases:
     """The phrases of a language, in the order in which they are tried."""
 
     def __init__(
-        self, phrases: tuple[TextPattern, ...], messages: Mapping[str, Mapping[str, str]], decimal: str = "."
+        self,
+        phrases: tuple[TextPattern, ...],
+        messages: Mapping[str, Mapping[str, str]],
+        decimal: str = ".",
+        contracted: Mapping[str, str] | None = None,
     ) -> None:
         self.messages = messages
+        self._contracted = [(re.compile(rf"\b{p}"), own) for p, own in (contracted or {}).items()]
         self.decimal = decimal
         ordered = sorted(phrases, key=lambda p: -p.n_own)
         self.kinds: dict[str, list[TextPattern]] = {}
@@ -138,7 +143,8 @@ class Phrases:
             if name is not None:
                 value = text.arguments[name]
                 is_text = isinstance(value, str)
-                found += self.parts(value, form or GENERAL) if is_text else [_Place(self, value).__format__(form or "")]
+                inside = GENERAL if form == "words" else form or GENERAL
+                found += self.parts(value, inside) if is_text else [_Place(self, value).__format__(form or "")]
         return found
 
     def _template(self, message: Message, kind: str) -> str:
@@ -161,8 +167,14 @@ class Phrases:
                 kinds = dict(PLACE.findall(phrase.english))
                 inside = {name: self._inside(part, kinds[name]) for name, part in found.groupdict().items()}
                 if (said := phrase.text.format_map(inside)) != text:
-                    return said
+                    return self.with_articles(said) if kind == GENERAL else said
         return None
+
+    def with_articles(self, said: str) -> str:
+        """A preposition before what a language says with an article: vom Anfang, zur Ecke."""
+        for pattern, own in self._contracted:
+            said = pattern.sub(own, said)
+        return said
 
     def _computed(self, text: str) -> str | None:
         """A calculation with quantities in brackets, each looked up: (work of motor until ...) / (2*pi)."""
@@ -247,14 +259,15 @@ def phrases_of(language: str) -> Phrases:
     """The phrases of a language, from all of its files; none for the language in which they are handed over."""
     found: list[TextPattern] = []
     messages: dict[str, dict[str, str]] = {}
-    decimal = "."
+    decimal, contracted = ".", dict[str, str]()
     for tables in tables_of(language):
+        contracted |= tables.get("contracted", {})
         found += _flat(tables.get(TABLE, {}), GENERAL)
         decimal = tables.get("report", {}).get("decimal", decimal)
         found += [TextPattern(key, text, REACTION) for key, text in tables.get(REACTION, {}).items()]
         for p in _flat(tables.get(MESSAGES, {}), GENERAL):
             messages.setdefault(p.kind, {})[p.english] = p.text
-    return Phrases(tuple(found), messages, decimal)
+    return Phrases(tuple(found), messages, decimal, contracted)
 
 
 def _flat(table: Mapping[str, Any], kind: str) -> Iterator[TextPattern]:

@@ -251,7 +251,7 @@ def _of_two(names: Names, clause: Clause) -> Groups:
     for cut in cuts:
         first, second = Clause(rest[:cut]), Clause(rest[cut + 1 :])
         first = Clause([*said, *first.words])
-        if kind != "ratio" and (with_parameter := list(_beside_parameter(names, first, second, operator))):
+        if with_parameter := list(_beside_parameter(names, first, second, operator)):
             yield from with_parameter  # by how much the cable is longer than the span l
             continue
         if kind == "ratio" and _are_geared(names, first, second):  # sun to carrier
@@ -275,7 +275,7 @@ def _of_two(names: Names, clause: Clause) -> Groups:
 
 
 def _beside_parameter(names: Names, first: Clause, second: Clause, operator: str) -> Groups:
-    """The difference, or the sum, of a quantity and a parameter."""
+    """The difference, the sum, or the ratio of a quantity and a parameter."""
     sides = (first, second)
     given_ = [
         side.names[0][1]
@@ -286,7 +286,8 @@ def _beside_parameter(names: Names, first: Clause, second: Clause, operator: str
     if bool(given_[0]) == bool(given_[1]):
         return
     for group in quantities(names, sides[0] if given_[1] else sides[1]):
-        yield [f"{given_[0] or text} {operator} {given_[1] or text}" for text in group]
+        each = (f"({text})" if operator == "/" else text for text in group)
+        yield [f"{given_[0] or text} {operator} {given_[1] or text}" for text in each]
 
 
 def _are_geared(names: Names, *sides: Clause) -> bool:

@@ -1,5 +1,5 @@
 """What a question assumes: that nothing slips, that there is no friction, no drag of the air, that wheels are locked,
-that something is held fast.
+that something is held fast, or is cut.
 
 What holds in the model is no condition that changes the answer. What does not hold is refused by name: it would be
 another model.
@@ -13,19 +13,22 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.questions.spoken import joining, lookup, rubbing
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import assumptions, languages
+from freebody.questions.spoken.naming import elements_of, linked, plain_names
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _HELD = "held fast"
+_CUT = "cut"
 _AT_REST = re.compile(r" (?:when|until) (?:rate\(\w+\) = 0|\w+ stops)\b")
 
 
 def without_what_holds(names: Names, text: str) -> str:
     """The text without clauses that assume what holds in the model."""
     for clause, what, _ in _assumed(text):
-        if what != _HELD and not _against(names, what):
+        if what not in (_HELD, _CUT) and not _against(names, what):
             text = " ".join(text.replace(clause, " ").split()).strip(" ,")
     return text
 
@@ -36,7 +39,8 @@ def what_does_not_hold(names: Names, text: str, *, is_of_train: bool = False) ->
     for clause, what, who in _assumed(text):
         if is_of_train and what == _HELD:
             continue
-        if against := [who] if what == _HELD else _against(names, what):
+        own = [who] if what == _HELD else _still_there(names, who) if what == _CUT else None
+        if against := _against(names, what) if own is None else own:
             return Message(
                 "'{clause}' does not hold in this model ({against}); ask without it, or change the model",
                 clause=clause.strip(" ,.?!"),
@@ -50,12 +54,27 @@ def takes_held_for_stopped(text: str, words: str) -> bool:
     return _AT_REST.search(words) is not None and any(what == _HELD for _, what, _ in _assumed(text))
 
 
+def takes_cut_for_whole(names: Names, text: str) -> bool:
+    """Whether a text is about what comes when something is cut, or breaks, that this model still has."""
+    return any(what == _CUT and _still_there(names, who) for _, what, who in _assumed(text))
+
+
+def _still_there(names: Names, who: str) -> list[str]:
+    """Connections, and loads that pull, that are meant by words."""
+    elements = elements_of(names)
+    told = {in_english_nouns(who, language, elements.taken) for language in languages()}
+    marked = {plain_names(way.text) for words in told for way in linked(elements, words)}
+    there = [*names.connections, *names.loads]
+    return [name for name in there if name in marked]
+
+
 def _assumed(text: str) -> Iterator[tuple[str, str, str]]:
     """Clauses of a text that assume something, what that is, and of what it is said."""
     for language in languages():
         for what, pattern in assumptions(language).items():
             for found in re.finditer(pattern, text, re.IGNORECASE):
-                yield found[0], what, found.groupdict().get("who") or ""
+                said = found.groupdict()
+                yield found[0], what, said.get("who") or said.get("which") or ""
 
 
 def _against(names: Names, what: str) -> list[str]:

@@ -24,6 +24,7 @@ _LEVEL = 1e-9  # of lengths that are the same
 _SUPPORTS = ("bearing", "support", "joint", "hinge")
 _JOINTS = ("joint", "hinge", "pin", "pivot")
 _SIDES = ("left", "right", "top", "bottom", "upper", "lower")
+_SAME_SIDE = (("top", "upper"), ("bottom", "lower"))
 _Place = tuple[float, float]
 
 
@@ -35,6 +36,7 @@ def by_side(names: Names) -> Iterator[tuple[str, str]]:
     for side, name in _supports(names).items():
         yield from ((name, f"{side} {word}") for word in _SUPPORTS)
         yield from ((name, f"{side} hand {word}") for word in _SUPPORTS)
+    yield from _named_by_side(names)
     if taken & {*_SIDES}:
         return
     placed = {name: place for name in names.bodies if (place := _center(names, name)) is not None}
@@ -50,6 +52,15 @@ def by_side(names: Names) -> Iterator[tuple[str, str]]:
         yield from _at_ends(places, _JOINTS)
         grounded = {name: place for name, place in places.items() if joining.touches(names, name, GROUND)}
         yield from _at_ends(grounded, ("support", "bearing"))
+
+
+def _named_by_side(names: Names) -> Iterator[tuple[str, str]]:
+    """Bodies whose names say where they lie, by the other word for that: the upper block, which the file calls top."""
+    moving = [name for name, body in names.bodies.items() if name != GROUND and not body.fixed]
+    for said, other in (*_SAME_SIDE, *((other, said) for said, other in _SAME_SIDE)):
+        there = [name for name in moving if said in name.lower().split("_")]
+        if len(there) == 1 and not any(other in name.lower().split("_") for name in names.bodies):
+            yield from ((there[0], f"{other} {word}") for word in sorted(_words(names, there[0]) - {said}))
 
 
 def before_its_kind(elements: Elements, text: str) -> str:

@@ -9,7 +9,6 @@ from typing import TYPE_CHECKING
 
 from freebody.language.notation import to_python
 from freebody.measures.geometry import GROUND, ZERO
-from freebody.questions.course import can_change
 from freebody.questions.event import leads_to
 from freebody.questions.spoken import (
     along_lines,
@@ -421,7 +420,7 @@ def _stops(names: Names, who: str, other: str) -> Groups:
 
 def _rests(names: Names, who: str, other: str) -> Groups:
     """It is at rest again; what starts at rest is in equilibrium elsewhere, or nowhere."""
-    yield from _stops(names, who, other) if can_change(names) or not lookup.rests(names) else ()
+    yield from _stops(names, who, other) if rubbing.can_stick(names, who) or not lookup.rests(names) else ()
 
 
 def _locks(names: Names, who: str, other: str) -> Groups:

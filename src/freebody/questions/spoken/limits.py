@@ -82,6 +82,8 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
         return  # which of both comes first is no limit of rest
     if clause.has("mark", "until") and clause.has("verb", "end"):
         return  # up to which event something is counted
+    if "until" in clause.all("mark")[1:]:
+        return  # so that one gets to somewhere: that is a place, and no limit of rest
     head, state = _parted(names, words)
     begins = {"start", "slide"} <= set(clause.all("verb")) and not clause.has("ask", "fast")  # from which height on
     if clause.has("ask", "far", "high", "fast") and "may" not in modal and not begins:

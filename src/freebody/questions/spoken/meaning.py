@@ -92,7 +92,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     words = rewording.far_from_origin(names, _stretched(names, _from_rest(names, words)))
     said = rewording.signs_between([word for word in words if word.kind != "filler"])
     said = rewording.lasting_from_start(pushes.enough_to(rewording.how_deep(rewording.for_a_motion(said))))
-    said = rewording.on_the_way_back(names, rewording.placed(said, modal))
+    said = rewording.on_the_way_back(names, rewording.rolling_back(names, rewording.placed(said, modal)))
     said = rewording.so_far_that(names, pushes.hauled(names, said, modal), modal)
     said = rewording.in_turns(pushes.runs_slack(rewording.for_a_turn(said, modal)))
     said = _without_auxiliary(speeds.lifted(names, said))

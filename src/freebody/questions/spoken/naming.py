@@ -59,6 +59,7 @@ _GEARS = ("gear", "gearwheel")
 _BALLS = ("ball", "bead")
 _WALL_WORDS = ("wall",)
 _CEILING = ("ceiling", "foundation")  # what is held by the ground may be held by these
+_MIDDLE = "center"
 _NEAR = 1e-9  # of a direction to one that is upright
 _LINE_WORDS = ("surface", "slope", "incline", "plane")
 _POINT_WORDS = ("point", "end")
@@ -112,7 +113,8 @@ def elements_of(names: Names) -> Elements:
                 found.add(name, said=body.mass.name, distance=INFERRED)
         for point in body.points:
             found.add(f"{name}.{point}", _POINT_WORDS)
-            found.add(f"{name}.{point}", said=point, distance=INFERRED)
+            if body.turns or body.fixed or point != _MIDDLE:  # `in the middle` is none of a particle
+                found.add(f"{name}.{point}", said=point, distance=INFERRED)
     for point in names.free_ground_points:
         found.add(f"{GROUND}.{point}", _POINT_WORDS)
         found.add(f"{GROUND}.{point}", said=point, distance=INFERRED)

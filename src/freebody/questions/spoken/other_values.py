@@ -16,6 +16,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.language.units.quantity import Quantity, parse_quantity
 from freebody.questions.spoken import driving, given
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import languages, values_stated
 from freebody.questions.spoken.unchosen import is_unchosen, meant_by
 
@@ -35,6 +36,8 @@ _PLACES = {  # of the patterns in the languages' files
 }
 _OF_FORCE = re.compile(rf"{_NUMBER}{_FORCE}(?!\w)")
 _ANGLE = re.compile(r"(?:°|deg|rad|degrees|Grad)$")
+_INITIAL = re.compile(r"^(?:Anfangs|Start|Abwurf)(?=[a-z])")
+_HUNDRED = 100.0  # of percent
 _FACTORS = {"twice": 2.0, "half": 0.5, "thrice": 3.0}
 
 
@@ -85,6 +88,15 @@ def stated_values(names: Names, text: str) -> tuple[dict[str, str], str]:
                     return {}, text
                 values[name] = _with_unit(names, name, found["value"])
                 text = _cut(text, *found.span())
+    for language in languages():
+        if (found := _pattern(language, "changed").search(text)) is None or _pattern(language, "asks_change").search(
+            text
+        ):
+            continue
+        if (multiple := _multiple(names, found, language)) is None or multiple[0] in values:
+            return {}, text
+        values[multiple[0]] = multiple[1]
+        text = _cut(text, *found.span())
     speeds = [name for name in driving.drive_parameters(names) if name not in values]
     found = next(_found("turning", text), None)
     if found is not None and (name := _alone(names, found["value"])) in speeds:
@@ -189,17 +201,38 @@ def other_value(names: Names, text: str) -> Message | None:
     return _changed(names, text)
 
 
+def _multiple(names: Names, found: re.Match[str], language: str) -> tuple[str, str] | None:
+    """A parameter that is said to be a multiple of its value, and that value: the one that is named, or the only one of
+    the kind that is."""
+    name = found["name"]
+    if name not in names.parameters:
+        kinds = meant_by(in_english_nouns(_INITIAL.sub("", name), language, frozenset()), language)
+        kinds = kinds or meant_by(in_english_nouns(name, language, frozenset()), "en")
+        alike = {one for kind in kinds for one in _of_kind(names, kind)}
+        name = alike.pop() if len(alike) == 1 else name
+    parameter = names.parameters.get(name)
+    if parameter is None or parameter.value is None or parameter.form is not None:
+        return None
+    factor = next((factor for what, factor in _FACTORS.items() if found[what]), 1.0)
+    factor += float((found["more"] or "0").replace(",", ".")) / _HUNDRED
+    factor -= float((found["less"] or "0").replace(",", ".")) / _HUNDRED
+    unit = "rad" if parameter.is_angle else re.sub("^1$", "", str(parameter.dimension))
+    return name, f"{factor * parameter.value:g} {unit}".strip()
+
+
+def _of_kind(names: Names, kind: str) -> list[str]:
+    return given.of_kind(names, kind) if given.is_by_unit(kind) else given.parameters(names, kind, "")
+
+
 def _changed(names: Names, text: str) -> Message | None:
     """What is said of a text in which a parameter is to be a multiple of its value."""
-    for found in _found("changed", text):
-        parameter = names.parameters.get(found["name"])
-        if parameter is not None and parameter.value is not None:
-            factor = next(factor for what, factor in _FACTORS.items() if found[what])
-            unit = "rad" if parameter.is_angle else re.sub("^1$", "", str(parameter.dimension))
-            return Message(
-                "ask for one quantity, and for it again with --set '{name}={value}'; without the value of {name} in "
-                "the file the answer says how it depends on it",
-                name=found["name"],
-                value=f"{factor * parameter.value:g} {unit}".strip(),
-            )
+    for language in languages():
+        for found in _pattern(language, "changed").finditer(text):
+            if (multiple := _multiple(names, found, language)) is not None:
+                return Message(
+                    "ask for one quantity, and for it again with --set '{name}={value}'; without the value of {name} "
+                    "in the file the answer says how it depends on it",
+                    name=multiple[0],
+                    value=multiple[1],
+                )
     return None

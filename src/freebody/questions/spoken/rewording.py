@@ -242,6 +242,16 @@ def can_accelerate(names: Names, words: list[Word], modal: set[str]) -> list[Wor
     return [own for word in kept for own in (meant if word in asks else (word,))]
 
 
+def rolling_back(names: Names, words: list[Word]) -> list[Word]:
+    """What starts at rest on a slope, or on a rope, rolls back where it goes down."""
+    back = Word("verb", "turn_back")
+    if back not in words or Word("not", "not") not in words or not lookup.rests(names):
+        return words
+    who = [word.what for word in words if word.kind == "name"]
+    goes = any(lookup.inclined(names, name) for name in who if name in lookup.moving(names))
+    return [Word("verb", "fall") if word == back and goes else word for word in words]
+
+
 def signs_between(words: list[Word]) -> list[Word]:
     """A sign stands between what it compares: that the tension 8 kN not exceeds, as German has it."""
     found = _undenied(words)

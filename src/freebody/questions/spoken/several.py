@@ -28,6 +28,7 @@ from freebody.questions.spoken.lexicon import (
     phrases_at,
     rivals,
     several,
+    translated,
 )
 from freebody.questions.spoken.naming import linked, plain_names
 from freebody.questions.spoken.symbols import spelt_out
@@ -45,6 +46,8 @@ _ALL = ("they", "both")  # two, where the model has no others
 _IT = Word("pronoun", "it")
 _PENDULUMS = ("pendulum", "pendulums", "pendula", "pendel")
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")
+
+_PAIR = 2
 
 
 @dataclass(frozen=True)
@@ -280,8 +283,9 @@ def paired(elements: Elements, text: str, language: str) -> str:
     """The text with the names of two bodies for what stands for both: between the blocks, both blocks move together."""
     for pattern, written in pairs(language):
         if (found := pattern.search(text)) is not None:
-            things = _things(elements, found["thing"].lower(), language)
-            if len(things) == 2:
+            words = (found["thing"].lower(), *translated(language).get(found["thing"].lower(), "").split("|"))
+            each = (_things(elements, word, language) for word in words)
+            if things := next((two for two in each if len(two) == _PAIR), None):
                 told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things), **found.groupdict())
                 return f"{text[: found.start()]}{told}{text[found.end() :]}"
     return text

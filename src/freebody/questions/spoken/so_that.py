@@ -133,10 +133,10 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
     elif is_one and not rubbing.is_rough(names):  # one of several bodies stays where it is
         moved = "steady amplitude" if lookup.is_forced(names) else "acceleration"
         yield [f"{moved} of {place} = 0" for place in lookup.places(names, who) or lookup.angles(names, who)]
-    goes_up = verbs - {"start"} in ({"rise"}, {"fall"}) and not negated and len(of) == 1
+    goes_up = len(of) == 1 and (verbs == {"fall"} if negated else verbs - {"start"} in ({"rise"}, {"fall"}))
     rubs = any(row.reaction.startswith("friction") for row in names.constraint_rows)
     if goes_up and lookup.rests(names) and not (rubs or rubbing.is_held_by_friction(names)):  # let go from rest
-        sense = 1 if "rise" in verbs else -1
+        sense = 1 if "rise" in verbs or negated else -1
         ways = lookup.sloping(names, lookup.places(names, who))
         yield [f"acceleration of {way} {'>=' if up == sense else '<='} 0" for way, up in ways]
     if verbs == {"leave"} and who:  # what cannot lift off by itself
@@ -150,6 +150,8 @@ def so(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Groups:
         sign = " >= 0" if negated else " = 0"
         ends = [text.replace(" = 0", sign) for text in joining.no_longer_pressed(names, held, of)]
         yield [f"{text}{at}" for text in ends]
+    if verbs == {"reach"} and clause.has("quantity"):  # reactions that are equal strike nothing
+        return
     at_once = " at once" if clause.has("instant", "at once") else ""
     for group in _happening(names, verbs, negated, who, of):
         yield [f"{text}{at_once}" for text in group]
@@ -212,7 +214,7 @@ def _extremal(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
     if not clause.has("quantity") and clause.has("verb") and set(clause.all("verb")) <= {"fly", "move", "reach"}:
         kept = [Word("quantity", "horizontal range"), *(word for word in kept if word.kind == "name")]
     for group in whole(names, kept) if end else ():
-        yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "degrees "))]
+        yield [f"{text} is {end}" for text in group if not text.startswith(("does ", "is ", "whether ", "degrees "))]
 
 
 def _reaching(names: Names, clause: Clause, of: list[str]) -> Groups:

@@ -24,7 +24,7 @@ from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.keeping import is_pressed, moves_nowhere
 from freebody.questions.spoken.lexicon import contexts, languages
-from freebody.questions.spoken.naming import elements_of
+from freebody.questions.spoken.naming import elements_of, linked, plain_names
 from freebody.questions.spoken.ways import ways_to_mean
 
 if TYPE_CHECKING:
@@ -46,10 +46,11 @@ class Told:
     parameter: str
     language: str
     state: str
+    how: str = "sought_plain"  # `sought_so` where what is to be so stands in a clause of its own
 
     @property
     def plain(self) -> str:
-        return contexts(self.language)["sought_plain"].format(name=self.parameter, state=self.state)
+        return contexts(self.language)[self.how].format(name=self.parameter, state=self.state)
 
 
 def sought(names: Names, text: str, said: Callable[[str], str]) -> Iterator[str]:
@@ -77,6 +78,10 @@ def _told(names: Names, text: str) -> Iterator[Told]:
             parameter = _parameter(names, what, language)
             if parameter is not None:
                 yield from (Told(parameter, language, one) for one in _states(names, state, language))
+        if (found := _pattern(language, "sought_number").match(text)) is not None:
+            counts = given.teeth(names, _body(names, found["of"]))
+            if len(counts) == 1:
+                yield Told(counts[0], language, found["state"], "sought_so")
 
 
 def _parted(text: str, language: str) -> Iterator[tuple[str, str]]:
@@ -177,11 +182,19 @@ def _parameter(names: Names, what: str, language: str) -> str | None:
         if is_own and (is_named or not _has_rivals(names, found[0])):
             return found[0]  # an angle of what moves is its own
     if (toothed := _pattern(language, "sought_teeth").fullmatch(what)) is not None:
-        counts = given.teeth(names, toothed["of"] or "")
+        counts = given.teeth(names, _body(names, toothed["of"] or ""))
         return counts[0] if len(counts) == 1 else None
     if _pattern(language, "sought_push").match(what) and len(forces := given.of_kind(names, "force")) == 1:
         return forces[0]  # the load at the tip, where nothing else is a force
     return None
+
+
+def _body(names: Names, said: str) -> str:
+    """The body that a word means, or the word."""
+    elements = elements_of(names)
+    told = {in_english_nouns(said, language, elements.taken) for language in languages()}
+    marked = [plain_names(way.text) for words in told for way in linked(elements, words)]
+    return next((name for name in marked if name in names.bodies), said)
 
 
 def _has_rivals(names: Names, parameter: str) -> bool:

@@ -12,7 +12,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
 from freebody.questions.spoken import in_terms_of, joining
 from freebody.questions.spoken.accounting import loses_quantity
-from freebody.questions.spoken.assumed import takes_held_for_stopped, what_does_not_hold
+from freebody.questions.spoken.assumed import takes_cut_for_whole, takes_held_for_stopped, what_does_not_hold
 from freebody.questions.spoken.at_distances import at_a_distance
 from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
@@ -479,6 +479,8 @@ def _nearest(
 ) -> tuple[dict[str, tuple[AskedT, ...]], list[Problem]]:
     """What can be meant by the names that are nearest to those written, by its words; and, where nothing can, what is
     wrong with the first text that has words of the grammar."""
+    if takes_cut_for_whole(names, text):
+        return {}, []
     nearest: dict[str, tuple[AskedT, ...]] = {}
     calls = set(_CALL.findall(text))  # cos(theta) = 1/2 is not theta = 1/2
     left_open: dict[str, int] = {}  # questions for each of several values, where of which is meant is not said

@@ -108,7 +108,7 @@ def _joined(word: str, elements: Elements) -> str:
     plain = word.replace("-", "").lower()
     if plain in ("lefthand", "righthand"):
         return plain.removesuffix("hand")
-    if any(plain in translated(language) for language in languages()):  # the Jo-Jo
+    if any({plain, plain.removesuffix("s")} & translated(language).keys() for language in languages()):  # des Jo-Jos
         return plain
     return next((name for name in elements.exact if name.lower() == plain), word)
 
