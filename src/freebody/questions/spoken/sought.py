@@ -74,7 +74,7 @@ def _told(names: Names, text: str) -> Iterator[Told]:
         if "sought_for" not in contexts(language):
             continue
         for what, state in _parted(text, language):
-            parameter = _parameter(names, what, language)
+            parameter = parameter_meant(names, what, language)
             if parameter is not None:
                 yield from (Told(parameter, language, one) for one in _states(names, state, language))
 
@@ -159,7 +159,7 @@ def _is_unit(text: str) -> bool:
     return True
 
 
-def _parameter(names: Names, what: str, language: str) -> str | None:
+def parameter_meant(names: Names, what: str, language: str) -> str | None:
     """The only parameter that words name, or say what it is of; None where they do not."""
     symbols = [word for word in re.findall(r"[^\W\d]\w*", what) if word in names.parameters]
     symbols = [one for one in symbols if one not in _ARTICLES or what.endswith(f" {one}") or what == one]

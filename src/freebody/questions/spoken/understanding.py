@@ -17,6 +17,7 @@ from freebody.questions.spoken.at_distances import at_a_distance
 from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
+from freebody.questions.spoken.changing import changed_by
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.elements import Elements
@@ -36,7 +37,9 @@ from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.pointing import pointing
+from freebody.questions.spoken.relating import related
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
+from freebody.questions.spoken.shares import with_shares
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -68,6 +71,7 @@ from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
 
 if TYPE_CHECKING:
+    from freebody.language.units import Dimension
     from freebody.model.names import Names
 
 # along a direction at an instant, in the order of the grammar
@@ -138,6 +142,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (exists := where_there_is_one(names, text)) is not None:
         names.problem(exists, "find")
         return []
+    if (put := with_shares(names, text)) != text:
+        return understood(names, put, read)
+    if (change := changed_by(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        made := read_quietly(names, change, read), Unread
+    ):
+        return [*zip(made, change.split(JOINT), strict=True)]
     if mean := over_a_turn(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
@@ -149,6 +159,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
+    if not nearest and (relation := _related(names, text, read)):
+        return relation
     if not nearest and (so := _whether(names, text, read)):
         return so
     if not nearest and (by_value := _turned_round(names, text, read)):
@@ -237,6 +249,19 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
             )
         if not names.lacks_elements:  # else it may be about what could not be read
             names.unknown(text, none, "find")
+    return []
+
+
+def _related(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What compares two quantities, each asked for by itself."""
+
+    def unit(words: str) -> Dimension | None:
+        asked = read_quietly(names, words, read)
+        return None if isinstance(asked, Unread) else asked[0].quantity.dimension
+
+    for words in related(names, text, lambda said: _said_plainly(names, said, read), unit):
+        if not isinstance(asked := read_quietly(names, words, read), Unread):
+            return [*zip(asked, (words,), strict=True)]
     return []
 
 
