@@ -5,8 +5,8 @@
     relative increase | relative decrease of QUANTITY as PARAMETER -> EXPRESSION       that over Q(P)
 
 Q(P') is to what the quantity tends as the parameter tends to its other value, each side a question of its own; all
-other parameters keep theirs. What has a power law has a factor that is a number: a period of sqrt(L) grows by sqrt(2) as
-L becomes 2 L.
+other parameters keep theirs. What has a power law has a factor that is a number: a period of sqrt(L) grows by sqrt(2)
+as L becomes 2 L.
 """
 
 from __future__ import annotations

@@ -54,6 +54,7 @@ _NO_WORDS = (
     "comparatives",
     "relations",
     "shares",
+    "levels",
     "numerals",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass|from) "  # words into and beyond which no gap goes

@@ -22,6 +22,8 @@ if TYPE_CHECKING:
 
 _SIGNS = {"ratio": "/", "difference": "-"}
 _NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
+_IS_RATIO = re.compile(r"/|\b(?:ratio|factor|decrement|efficiency|advantage|transmissibility|coefficient|share)\b")
+_BEARING = re.compile(r"vertical reaction of (?P<of>\w+)")
 _TIMED = re.compile(r" (?:when|until|at|before|after|in the) |[-+*/]")
 _VECTOR = re.compile(r"^(?:(?:impulsive )?reaction of|force of \w+ on|impulse of) ")
 _OF_BODY = re.compile(r"^(?:acceleration|velocity|linear momentum) of (?P<body>\w+)(?![\w.]| along| relative)")
@@ -36,18 +38,33 @@ def related(
     text = text.strip(" ?.!")
     for language in languages():
         told = compared_in(language, "relations")
-        for k, (_, how) in enumerate(told.get("asks", ())):
+        for k, (_, how, *sides) in enumerate(told.get("asks", ())):
             found = comparing(language, "relations", "asks", k).match(text)
             if found is None:
                 continue
-            for one, others in _sides(names, found, language):
+            said_so = [(sides[0].format(**found.groupdict()), [sides[1].format(**found.groupdict())])] if sides else []
+            for one, others in said_so or _sides(names, found, language):
                 first = _one(names, said(one))
+                if "bearer" in found.groupdict() and _is_of_surface(names, first):
+                    continue
                 each = (_one(names, said(other)) for other in others) if first else ()
                 alike = (read for read in each if read not in ("", first) and unit(read) == unit(first))
                 second = next(alike, "")
                 if first and second:
                     is_less = bool(found.groupdict().get("less"))
                     yield from _joined(_SIGNS[how], *((second, first) if is_less else (first, second)))
+
+
+def loses_share(text: str, words: str) -> bool:
+    """Whether a text asks for one quantity over another, and words for no ratio."""
+    if _IS_RATIO.search(words):
+        return False
+    text = text.strip(" ?.!")
+    for language in languages():
+        for k, (_, how, *_sides_said) in enumerate(compared_in(language, "relations").get("asks", ())):
+            if how == "ratio" and comparing(language, "relations", "asks", k).match(text) is not None:
+                return True
+    return False
 
 
 def _sides(names: Names, found: re.Match[str], language: str) -> Iterator[tuple[str, list[str]]]:
@@ -83,6 +100,12 @@ def _one(names: Names, read: str) -> str:
     of_body = _OF_BODY.match(read)
     is_vector = _VECTOR.match(read) is not None or (of_body is not None and of_body["body"] in names.bodies)
     return f"size of {read}" if is_vector and " along " not in read else read
+
+
+def _is_of_surface(names: Names, read: str) -> bool:
+    """Whether a force is that of a surface, on which a body slides: it bears no share of the weight that stays."""
+    found = _BEARING.match(read)
+    return found is None or bool({"contact", "slider"} & {*names.called.get(found["of"], ())})
 
 
 def _joined(sign: str, first: str, second: str) -> Iterator[str]:

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 _TURNED = re.compile(r"(?:value|range|least|largest|critical damping)(?: of)? (?P<parameter>[^\W\d]\w*)\b")
 _NUMBER = re.compile(r"(?<![\w.])-?\d[\d.,]*(?:e[+-]?\d+)?")
 _EVENT = re.compile(r"(?P<of>.+?)(?P<when> (?:at start|when .+|at t = .+|after .+|until .+))?")
+_COUNTED = re.compile(r"(?:turns|change|distance travelled|energy lost|work|length of the path) (?:of|along) ")
 _NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|degrees|damping|stability) |\b(?:for which|so that|that keeps) ")
 _UNIT_WORDS = 3  # of a unit that is written apart: 30 N m
 _LONGEST = 8  # words for a parameter
@@ -126,6 +127,7 @@ def _equal(names: Names, told: Told, said: Callable[[str], str]) -> Iterator[str
             continue
         read = said(f"{what.strip()} {when}".strip())
         each = [_EVENT.fullmatch(one) for one in read.split(JOINT) if not _NO_QUANTITY.search(one)] if read else []
+        each = [one for one in each if one and (one["when"] or not _COUNTED.match(one["of"]))]  # until when is not said
         each = [one for one in each if one and (one["when"] or one["of"] not in names.measures)]  # a place that changes
         value = state[begin:end].strip()
         is_opposite = is_pressed(what) and read.startswith(("tension of ", "axial force of "))

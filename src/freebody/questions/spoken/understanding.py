@@ -32,12 +32,13 @@ from freebody.questions.spoken.keeping import (
     loses_sign,
 )
 from freebody.questions.spoken.kinds import is_of_kind
+from freebody.questions.spoken.levels import told_above, with_height_of_mass_center
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.pointing import pointing
-from freebody.questions.spoken.relating import related
+from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
 from freebody.questions.spoken.shares import with_shares
 from freebody.questions.spoken.sought import sought
@@ -142,6 +143,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (exists := where_there_is_one(names, text)) is not None:
         names.problem(exists, "find")
         return []
+    if (put := with_height_of_mass_center(names, text)) != text:
+        return understood(names, put, read)
+    if (level := told_above(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        above := read_quietly(names, level, read), Unread
+    ):
+        return [*zip(above, (level,), strict=True)]
     if (put := with_shares(names, text)) != text:
         return understood(names, put, read)
     if (change := changed_by(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
@@ -152,7 +159,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, cut, read)
-    if (angle := pointing(text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+    if (angle := pointing(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
         told_way := read_quietly(names, angle, read), Unread
     ):
         return [*zip(told_way, (angle,), strict=True)]
@@ -518,6 +525,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):
