@@ -24,10 +24,11 @@ _SIGNS = {"ratio": "/", "difference": "-"}
 _NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
 _IS_RATIO = re.compile(r"/|\b(?:ratio|factor|decrement|efficiency|advantage|transmissibility|coefficient|share)\b")
 _BEARING = re.compile(r"vertical reaction of (?P<of>\w+)")
+_WHEN = re.compile(r" (?:when .+|at start)$")
 _TIMED = re.compile(r" (?:when|until|at|before|after|in the) |[-+*/]")
 _VECTOR = re.compile(r"^(?:(?:impulsive )?reaction of|force of \w+ on|impulse of) ")
 _OF_BODY = re.compile(r"^(?:acceleration|velocity|linear momentum) of (?P<body>\w+)(?![\w.]| along| relative)")
-_WEIGHT = re.compile(r"^size of force of \w+ on \w+$")  # the same all the time
+_WEIGHT = re.compile(r"^size of force of \w+ on (?P<body>\w+)$")  # the same all the time
 
 
 def related(
@@ -50,6 +51,9 @@ def related(
                 each = (_one(names, said(other)) for other in others) if first else ()
                 alike = (read for read in each if read not in ("", first) and unit(read) == unit(first))
                 second = next(alike, "")
+                weight = _WEIGHT.match(second)
+                if "bearer" in found.groupdict() and weight is not None:
+                    first = f"{first} on {weight['body']}"
                 if first and second:
                     is_less = bool(found.groupdict().get("less"))
                     yield from _joined(_SIGNS[how], *((second, first) if is_less else (first, second)))
@@ -109,6 +113,11 @@ def _is_of_surface(names: Names, read: str) -> bool:
 
 
 def _joined(sign: str, first: str, second: str) -> Iterator[str]:
+    there = _WHEN.search(second)
+    if there is not None and not _TIMED.search(first) and not _TIMED.search(second[: there.start()]):
+        second = second[: there.start()]  # the instant that is said last is that of both
+        yield f"ratio of {first} to {second}{there[0]}" if sign == "/" else f"({first} - {second}){there[0]}"
+        return
     if not _TIMED.search(f"{first} {second}"):
         yield f"ratio of {first} to {second}" if sign == "/" else f"{first} - {second}"
         return

@@ -292,7 +292,8 @@ def paired(elements: Elements, text: str, language: str) -> str:
     """The text with the names of two bodies for what stands for both: between the blocks, both blocks move together."""
     for pattern, written in pairs(language):
         if (found := pattern.search(text)) is not None:
-            things = _things(elements, found["thing"].lower(), language)
+            said = found["thing"].lower()
+            things = _things(elements, said, language) or _things(elements, f"{said}s", language)  # which wire
             if len(things) == 2:
                 told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things), **found.groupdict())
                 return f"{text[: found.start()]}{told}{text[found.end() :]}"

@@ -7,7 +7,7 @@ is one where only one measure can be meant. Patterns: `shares` in a file of its 
 from __future__ import annotations
 
 import re
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from fractions import Fraction
 from typing import TYPE_CHECKING
 
@@ -22,6 +22,8 @@ from freebody.questions.spoken.naming import elements_of, linked
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_AT_END = re.compile(r"(?P<what>.+) when (?P<measure>\w+) = (?P<value>[^;]+)")
+_PLAIN = re.compile(r"[\w*/^()]+")
 _WAYS = (("lost", True), ("kept", False))
 
 
@@ -36,6 +38,25 @@ def with_shares(names: Names, text: str) -> str:
                 if found is not None and len(equations) == 1:
                     return f"{text[: found.start()]}{found['mark']} {equations[0]}{text[found.end() :]}"
     return text
+
+
+def halfway(names: Names, text: str, said: Callable[[str], str]) -> str:
+    """The grammar for a text that asks of the middle of a way: half of what the measure is at its end, where it counts
+    from zero; nothing where it does not. said: the words of the grammar for a text."""
+    for language in languages():
+        told = compared_in(language, "shares")
+        found = comparing(language, "shares", "halfway").search(text) if "halfway" in told else None
+        if found is None:
+            continue
+        for end in told["ends"]:
+            read = said(f"{text[: found.start()]}{told['there'].format(end=end)}{text[found.end() :]}")
+            at = _AT_END.fullmatch(read)
+            if at is not None and at["measure"] in names.measures and at["measure"] not in names.placed_at_start:
+                return ""
+            if at is not None and names.placed_at_start.get(at["measure"]) == ZERO and at["value"] != "0":
+                value = at["value"] if _PLAIN.fullmatch(at["value"]) else f"({at['value']})"
+                return f"{at['what']} when {at['measure']} = {value}/2"
+    return ""
 
 
 def _equations(names: Names, found: re.Match[str], language: str, *, is_lost: bool) -> Iterator[str]:

@@ -40,7 +40,7 @@ from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.pointing import pointing
 from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
-from freebody.questions.spoken.shares import with_shares
+from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -85,6 +85,7 @@ _WHAT_IS = re.compile(
 )
 _UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
+_AT_ONE = re.compile(r".+?(?P<when> (?:at start|when .+))\n.+(?P=when)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
@@ -149,6 +150,10 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         above := read_quietly(names, level, read), Unread
     ):
         return [*zip(above, (level,), strict=True)]
+    if (middle := halfway(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        half := read_quietly(names, middle, read), Unread
+    ):
+        return [*zip(half, (middle,), strict=True)]
     if (put := with_shares(names, text)) != text:
         return understood(names, put, read)
     if (change := changed_by(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
@@ -339,7 +344,9 @@ def _compared(
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
     if len(each) == len(sides):
-        words = f"which is greater, {each[0]} or {each[1]}"
+        same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
+        first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
+        words = f"which is greater, {first} or {second}"
         if not isinstance(asked := read_quietly(names, words, read), Unread):
             return [*zip(asked, (words,), strict=True)]
     lacking = Message(
