@@ -147,6 +147,11 @@ def test_a_vector_is_no_number() -> None:
         System.from_text(ATWOOD).solve("acceleration of left/g")
 
 
+def test_a_ratio_of_vectors_is_that_of_their_sizes() -> None:
+    """What a rope joins accelerates alike, one up and one down."""
+    is_formula(ATWOOD, "ratio of acceleration of left to acceleration of right", "1")
+
+
 BOX = """
 parameters: {m: 50 kg, b: 2 m, g: 9.81 m/s^2, mu: 0.4, P: 100 N}
 ground: {lines: {floor: {along: right}}}

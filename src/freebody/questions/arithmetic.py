@@ -336,7 +336,7 @@ def read_calculated(
     """What a text calculates. operands: by the number of the run, the quantities that are read already; all other runs
     are numbers, parameters and functions."""
     for quantity in operands.values():
-        if _is_vector(quantity, space=names.space):
+        if is_vector(quantity, space=names.space):
             told = Message("a vector stands where one calculates with numbers: ask for it along a direction")
             names.problem(told, *path)
             return None
@@ -375,7 +375,7 @@ def read_calculated(
     return kind(form, operands_left, measured, text)
 
 
-def _is_vector(quantity: Quantity, *, space: bool) -> bool:
+def is_vector(quantity: Quantity, *, space: bool) -> bool:
     """Whether a quantity has components, and can be asked for by its size as well."""
     is_sized = getattr(quantity, "size", None)
     return is_sized is False and getattr(quantity.sized(space=space), "size", False) is True
