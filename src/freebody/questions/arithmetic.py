@@ -335,6 +335,11 @@ def read_calculated(
 ) -> Quantity | None:
     """What a text calculates. operands: by the number of the run, the quantities that are read already; all other runs
     are numbers, parameters and functions."""
+    for quantity in operands.values():
+        if is_vector(quantity, space=names.space):
+            told = Message("a vector stands where one calculates with numbers: ask for it along a direction")
+            names.problem(told, *path)
+            return None
     taken = {*names.parameters, *FUNCTIONS, "pi"}
     stem = next(s for s in ("Q", "Q_", "Q__", "Q___") if not any(f"{s}{k}" in taken for k in operands))
     operands = {**operands, **_numbers(runs)}
@@ -368,6 +373,12 @@ def read_calculated(
     of_answers = not scopes.isdisjoint(OF_MOTIONS)
     kind = CalculatedOfMotion if of_answers else CalculatedOnTheWay if "course" in scopes else Calculated
     return kind(form, operands_left, measured, text)
+
+
+def is_vector(quantity: Quantity, *, space: bool) -> bool:
+    """Whether a quantity has components, and can be asked for by its size as well."""
+    is_sized = getattr(quantity, "size", None)
+    return is_sized is False and getattr(quantity.sized(space=space), "size", False) is True
 
 
 def _together(form: Expr, operands: dict[str, Quantity]) -> Expr:

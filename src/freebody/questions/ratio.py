@@ -12,7 +12,15 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.arithmetic import OF_MOTIONS, CalculatedOfMotion, Functions, Joined, quotient, read_calculated
+from freebody.questions.arithmetic import (
+    OF_MOTIONS,
+    CalculatedOfMotion,
+    Functions,
+    Joined,
+    is_vector,
+    quotient,
+    read_calculated,
+)
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.loads import LoadForce, Power
 from freebody.questions.reading import read_calculation, read_quantity
@@ -204,6 +212,8 @@ def _ratio(names: Names, found: Found, path: Path) -> Quantity | None:
         top, bottom = (read_quantity(names, str(found[k]), path) for k in ("top", "bottom"))
     if top is None or bottom is None:
         return None
+    space = names.space  # of vectors the sizes: how many times as large one is
+    top, bottom = (one.sized(space=space) if is_vector(one, space=space) else one for one in (top, bottom))
     if {top.scope, bottom.scope}.isdisjoint(OF_MOTIONS):
         return RatioOf(top, bottom)
     operands = (("top", top), ("bottom", bottom))

@@ -60,6 +60,7 @@ from freebody.questions.turned_round import (
     VALUE_FOR,
     RangeFor,
 )
+from freebody.questions.with_change import asks_for_change, read_change
 
 _ANYWHERE = "12.345"  # no place that means anything in a model
 _AS_FUNCTION = re.compile(r"(?P<what>.+?) as a function of (?P<of>\w+)")
@@ -374,6 +375,8 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     if over is not None and over["parameter"] in names.parameters:
         with names.one_number():
             return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
+    if asks_for_change(names, phrase):
+        return read_change(_asked, names, phrase, when)
     limit = LIMIT.match(phrase)
     if (
         limit is not None

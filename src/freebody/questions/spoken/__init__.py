@@ -30,7 +30,9 @@ parted (rewording.py; beginning.py: what begins, varies, settles), and where som
 within.py. What is said of other values than the file gives is told in other_values.py, with its wording in a file of
 its own (xx.values.toml); forces that nobody chooses are told from others in unchosen.py, and what is assumed in
 assumed.py. Who takes part in a blow is told in striking.py. One quantity at two instants is compared in
-at_two_instants.py. A parameter that is asked for by what it is has its symbol put in sought.py; which way a vector
+at_two_instants.py, and two questions in one in relating.py; what another value of a parameter does to a quantity is in
+changing.py, and shares of what something starts with in shares.py.
+A parameter that is asked for by what it is has its symbol put in sought.py; which way a vector
 points is asked in pointing.py, and things are told by the side on which they lie in by_side.py. Parts that no reading
 has taken as they stand are put in the order of the grammar (recomposing.py). Verbs of a file stand for all their
 forms (inflecting.py, strong_verbs.py). Nothing that is said is dropped, but words that lead to a question, adjectives

@@ -48,10 +48,15 @@ def time_between(names: Names, words: list[Word]) -> Groups:
 
 
 def _way_back(names: Names, said: Clause) -> Groups:
-    """How long it takes from where it turns back to where it started."""
+    """How long it takes from where it turns back to where it started, or up to there."""
     of = [name for _, name in said.names]
     asks = said.has("ask", "long") or said.has("quantity", "time")
-    plain = said.only("ask", "quantity", "name", *SILENT) and set(said.all("quantity")) <= {"way back", "time"}
-    if said.has("quantity", "way back") and asks and plain and len(of) <= 1:
-        ways = lookup.ways(names, of[0] if of else "")
-        yield [f"time between rate({way}) = 0 and {way} = 0" for way in ways]
+    plain = said.only("ask", "quantity", "name", *SILENT)
+    ways = {way for way in said.all("quantity") if way != "time"}
+    if not asks or not plain or len(ways) != 1 or len(of) > 1:
+        return
+    along = lookup.ways(names, of[0] if of else "")
+    if ways == {"way back"}:
+        yield [f"time between rate({way}) = 0 and {way} = 0" for way in along]
+    elif ways == {"way up"}:
+        yield [f"time when rate({way}) = 0" for way in along]

@@ -243,6 +243,7 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             yield along_lines.counted_from(names, who, other, value) or along_lines.counted_from(
                 names, other, who, value
             )
+            yield [f"distance from {who} to {other} = {value}"] if {who, other} <= names.bodies.keys() else []
         elif quantity in ("position", "distance"):
             yield [f"{place} = {value}" for place in lookup.places(names, of)]
         elif quantity in ("velocity", "speed", "angular velocity") and is_zero:

@@ -50,6 +50,11 @@ _NO_WORDS = (
     "symbols",
     "assumptions",
     "contexts",
+    "changes",
+    "comparatives",
+    "relations",
+    "shares",
+    "levels",
     "numerals",
 )  # tables that are not kinds of words
 _CLAUSES = r"(?:so|such|when|if|wenn|damit|nachdem|sodass|from) "  # words into and beyond which no gap goes
@@ -444,6 +449,26 @@ def numerals(language: str, what: str) -> dict[str, float]:
 def values_stated(language: str) -> dict[str, str]:
     """Patterns for values that are said in passing, by how they are said."""
     return cast("dict[str, str]", _file(language)["stated"])
+
+
+@cache
+def compared_in(language: str, table: str) -> dict[str, Any]:
+    """Patterns for what is compared, and what comparatives are compared in. Nothing where a language has none."""
+    own = cast("dict[str, Any]", _file(language).get(table, {}))
+    return {**cast("dict[str, Any]", _file(language)["comparatives"]), **own} if own else {}
+
+
+@cache
+def comparing(language: str, table: str, key: str, k: int | None = None) -> re.Pattern[str]:
+    """One of these patterns, with words for what stands in it for several. k: which of a list."""
+    told = compared_in(language, table)
+    written: Any = told[key] if k is None else told[key][k]
+    written = str(written if isinstance(written, str) else written[0])
+    while (place := re.search(r"\{([a-z]+)\}", written)) is not None:
+        words: str | dict[str, str] = told[place[1]]
+        listed = words if isinstance(words, str) else "|".join(sorted(words, key=len, reverse=True))
+        written = f"{written[: place.start()]}{listed}{written[place.end() :]}"
+    return re.compile(written, re.IGNORECASE)
 
 
 @cache

@@ -214,6 +214,18 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
     return Part(own, () if is_there else tuple(dict.fromkeys(found)), " ".join(there.split()) if k > 0 else "")
 
 
+def completed(elements: Elements, first: str, second: str, language: str) -> list[str]:
+    """Texts that can be meant by the second of two sides, with what it may lack from the first: the tension at the top,
+    and at the bottom; how fast is the left block, and the right one."""
+    texts = list(_part(elements, [first, second], 1, language).texts)
+    if (tail := _tail(first, language)) and _tail(f"x {second}", language):  # another instant in place of its own
+        texts.insert(0, f"{first.removesuffix(tail).strip()} {second}")
+    head, own = first.split(), re.sub(r"\s+ones?$", "", second)
+    texts += [f"{own} {' '.join(head[k:])}" for k in range(1, len(head))]  # the second frequency, and the first
+    texts += [f"{' '.join(head[:k])} {second}" for k in range(len(head), 0, -1)]
+    return [*dict.fromkeys(texts)]
+
+
 def _kinds(elements: Elements, text: str, language: str) -> set[str]:
     """Kinds of the words of a text, so far as they are known."""
     for way in linked(elements, in_english_nouns(text, language, elements.taken))[:1]:
@@ -283,7 +295,8 @@ def paired(elements: Elements, text: str, language: str) -> str:
     """The text with the names of two bodies for what stands for both: between the blocks, both blocks move together."""
     for pattern, written in pairs(language):
         if (found := pattern.search(text)) is not None:
-            words = (found["thing"].lower(), *translated(language).get(found["thing"].lower(), "").split("|"))
+            said = found["thing"].lower()
+            words = (said, f"{said}s", *translated(language).get(said, "").split("|"))  # which wire
             each = (_things(elements, word, language) for word in words)
             if things := next((two for two in each if len(two) == _PAIR), None):
                 told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things), **found.groupdict())

@@ -33,6 +33,7 @@ if TYPE_CHECKING:
 _TURNED = re.compile(r"(?:value|range|least|largest|critical damping)(?: of)? (?P<parameter>[^\W\d]\w*)\b")
 _NUMBER = re.compile(r"(?<![\w.])-?\d[\d.,]*(?:e[+-]?\d+)?")
 _EVENT = re.compile(r"(?P<of>.+?)(?P<when> (?:at start|when .+|at t = .+|after .+|until .+))?")
+_COUNTED = re.compile(r"(?:turns|change|distance travelled|energy lost|work|length of the path) (?:of|along) ")
 _NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|degrees|damping|stability) |\b(?:for which|so that|that keeps) ")
 _UNIT_WORDS = 3  # of a unit that is written apart: 30 N m
 _LONGEST = 8  # words for a parameter
@@ -75,7 +76,7 @@ def _told(names: Names, text: str) -> Iterator[Told]:
         if "sought_for" not in contexts(language):
             continue
         for what, state in _parted(text, language):
-            parameter = _parameter(names, what, language)
+            parameter = parameter_meant(names, what, language)
             if parameter is not None:
                 yield from (Told(parameter, language, one) for one in _states(names, state, language))
         if (found := _pattern(language, "sought_number").match(text)) is not None:
@@ -131,6 +132,7 @@ def _equal(names: Names, told: Told, said: Callable[[str], str]) -> Iterator[str
             continue
         read = said(f"{what.strip()} {when}".strip())
         each = [_EVENT.fullmatch(one) for one in read.split(JOINT) if not _NO_QUANTITY.search(one)] if read else []
+        each = [one for one in each if one and (one["when"] or not _COUNTED.match(one["of"]))]  # until when is not said
         each = [one for one in each if one and (one["when"] or one["of"] not in names.measures)]  # a place that changes
         value = state[begin:end].strip()
         is_opposite = is_pressed(what) and read.startswith(("tension of ", "axial force of "))
@@ -164,7 +166,7 @@ def _is_unit(text: str) -> bool:
     return True
 
 
-def _parameter(names: Names, what: str, language: str) -> str | None:
+def parameter_meant(names: Names, what: str, language: str) -> str | None:
     """The only parameter that words name, or say what it is of; None where they do not."""
     symbols = [word for word in re.findall(r"[^\W\d]\w*", what) if word in names.parameters]
     symbols = [one for one in symbols if one not in _ARTICLES or what.endswith(f" {one}") or what == one]

@@ -17,6 +17,7 @@ from freebody.questions.spoken.at_distances import at_a_distance
 from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
+from freebody.questions.spoken.changing import changed_by
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.elements import Elements
@@ -33,12 +34,15 @@ from freebody.questions.spoken.keeping import (
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.leaving_out import at_rest_without, holds_without_which, without_load
+from freebody.questions.spoken.levels import told_above, with_height_of_mass_center
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.pointing import pointing
+from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
+from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -70,6 +74,7 @@ from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
 
 if TYPE_CHECKING:
+    from freebody.language.units import Dimension
     from freebody.model.names import Names
 
 # along a direction at an instant, in the order of the grammar
@@ -82,6 +87,7 @@ _WHAT_IS = re.compile(
 )
 _UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
+_AT_ONE = re.compile(r".+?(?P<when> (?:at start|when .+))\n.+(?P=when)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
 LONGEST = 300  # characters of a question: what is longer is none
@@ -149,17 +155,35 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     if (nothing := in_terms_of.misspelt(names, text)) is not None:
         names.problem(nothing, "find")
         return []
+    if (put := with_height_of_mass_center(names, text)) != text:
+        return understood(names, put, read)
+    if (level := told_above(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        above := read_quietly(names, level, read), Unread
+    ):
+        return [*zip(above, (level,), strict=True)]
+    if (middle := halfway(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        half := read_quietly(names, middle, read), Unread
+    ):
+        return [*zip(half, (middle,), strict=True)]
+    if (put := with_shares(names, text)) != text:
+        return understood(names, put, read)
+    if (change := changed_by(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+        made := read_quietly(names, change, read), Unread
+    ):
+        return [*zip(made, change.split(JOINT), strict=True)]
     if mean := over_a_turn(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, mean, read)
     if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
         return understood(names, cut, read)
-    if (angle := pointing(text, lambda said: _said_plainly(names, said, read))) and not isinstance(
+    if (angle := pointing(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
         told_way := read_quietly(names, angle, read), Unread
     ):
         return [*zip(told_way, (angle,), strict=True)]
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
+    if not nearest and (relation := _related(names, text, read)):
+        return relation
     if not nearest and (so := _whether(names, text, read)):
         return so
     if not nearest and (by_value := _turned_round(names, text, read)):
@@ -253,6 +277,19 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     return []
 
 
+def _related(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What compares two quantities, each asked for by itself."""
+
+    def unit(words: str) -> Dimension | None:
+        asked = read_quietly(names, words, read)
+        return None if isinstance(asked, Unread) else asked[0].quantity.dimension
+
+    for words in related(names, text, lambda said: _said_plainly(names, said, read), unit):
+        if not isinstance(asked := read_quietly(names, words, read), Unread):
+            return [*zip(asked, (words,), strict=True)]
+    return []
+
+
 def _whether(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What asks if something is so in the motion: does the crate slip, whether the crate slips."""
     if not (stated := stated_of(text)):
@@ -320,7 +357,9 @@ def _compared(
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
     if len(each) == len(sides):
-        words = f"which is greater, {each[0]} or {each[1]}"
+        same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
+        first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
+        words = f"which is greater, {first} or {second}"
         if not isinstance(asked := read_quietly(names, words, read), Unread):
             return [*zip(asked, (words,), strict=True)]
     lacking = Message(
@@ -508,6 +547,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
             if any(is_of_kind(names, meaning.words, one, (a.quantity for a in here[one])) for one in here):

@@ -10,7 +10,7 @@ from dataclasses import replace
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Expr, evaluate, n_operations
+from freebody.language.expression import Call, Expr, Number, evaluate, n_operations
 from freebody.language.sentences import Message
 from freebody.questions.arithmetic import AtStart, Functions, Joined, OfParameters, OnTheWay, refuse_vectors
 from freebody.questions.at_events import AtEvent
@@ -58,14 +58,26 @@ def calculated(system: System, question: Question, answers: Mapping[str, Answer]
     whole = tidy(setup.model.field.lowest_terms(setup.model.field.element(found)))
     written = _made(question, formulas, AsWritten())
     assert isinstance(question.quantity, Joined)
+    value = number(setup, question, answers)
+    forms = [whole, written, *_root_of(setup, setup.model.field.element(found * found), value)]
     return made(
         question,
-        question.quantity.written(min(whole, written, key=n_operations)),  # over one denominator roots become long
-        number(setup, question, answers),
+        question.quantity.written(min(forms, key=n_operations)),  # over one denominator roots become long
+        value,
         conditions=_together(parts),
         notes=tuple(dict.fromkeys([*(n for part in parts for n in part.notes), *_other_cases(parts)])),
         evidence=of_all([part.evidence for part in parts]),
     )
+
+
+def _root_of(setup: Setup, square: Ratio, value: float | None) -> list[Expr]:
+    """What has the same square for all parameters, a number, is its root: 2 sqrt(L)/sqrt(2 L) is sqrt(2). It has one
+    sign, as it is nowhere zero; none where that is not known."""
+    number = setup.model.field.lowest_terms(square).fraction()
+    if number is None or not value:
+        return []
+    root = tidy(setup.model.field.element(setup.state.sqrt(setup.model.geometry.scalar(Number(number)))))
+    return [root if value > 0 else -root]
 
 
 def _together(parts: Sequence[Answer]) -> tuple[str, ...]:
