@@ -19,12 +19,15 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _WORD = re.compile(r"[^\W\d_]+")
+_RESISTS = re.compile(r"brak|brems|resist|drag|widerstand|retard", re.IGNORECASE)
 
 
 def is_unchosen(names: Names, said: str, language: str) -> bool:
     """Whether a force is said that nobody chooses: a friction of 5 N, a spring force; but a pull."""
     if re.search(values_stated(language)["apparent"], said, re.IGNORECASE) is not None:
         return True
+    if re.search(values_stated(language)["resisting"], said, re.IGNORECASE) is not None:
+        return not any(_RESISTS.search(name) for name in (*names.loads, *names.parameters))
     line = in_english_nouns(said, language).lower().replace("ß", "ss")
     for word in _WORD.finditer(line):
         meant = _longest(line, word.start(), language)
