@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Mapping
+from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING
 
@@ -65,8 +65,9 @@ def without_size(phrase: str) -> str:
     return _SIZE.sub("", phrase)
 
 
-def ratio_as_quotient(names: Names, phrase: str) -> str:
-    """The ratio of what is calculated, or is meant at different instants, by a sign of division."""
+def ratio_as_quotient(names: Names, phrase: str, is_vector: Callable[[str], bool]) -> str:
+    """The ratio of what is calculated, or is meant at different instants, by a sign of division; of a vector the size.
+    is_vector: whether a part asks for one."""
     found = _RATIO.match(phrase)
     if found is None or not _is_of_quantities(phrase):
         return phrase
@@ -77,7 +78,8 @@ def ratio_as_quotient(names: Names, phrase: str) -> str:
     is_calculated = any(not _is_quantity(names, event_at_end(names, part)[0]) for part in (top, without_start(bottom)))
     if is_calculated and not is_timed:  # what is said of an instant is said of all of it
         plain = without_start(event_at_end(names, bottom)[0])
-        return f"({top})/({plain}){bottom[len(plain) :]}"
+        above, below = (f"|{part}|" if is_vector(part) else f"({part})" for part in (top, plain))
+        return f"{above}/{below}{bottom[len(plain) :]}"
     return f"({top})/({bottom})" if is_timed or is_calculated else phrase
 
 

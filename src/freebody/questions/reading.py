@@ -12,6 +12,7 @@ import difflib
 import re
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any, cast
 
 from freebody.language.plain_text import plain
@@ -22,7 +23,7 @@ from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import PHRASES, phrase_text, read_measure
 from freebody.questions import turned_round
-from freebody.questions.arithmetic import AtStart, read_calculated
+from freebody.questions.arithmetic import AtStart, is_vector, read_calculated
 from freebody.questions.at_events import between_events, is_at_several, read_at_events
 from freebody.questions.base import FORMS, Path, Quantity
 from freebody.questions.blow import BesideBlow
@@ -392,7 +393,9 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
             condition, at_start = None, True
     else:
         path = ("find",)
-        phrase = _of_whole(names, ratio_as_quotient(names, between_events(names, as_timed(phrase))))
+        phrase = _of_whole(
+            names, ratio_as_quotient(names, between_events(names, as_timed(phrase)), partial(_is_vector, names))
+        )
         phrase, condition = event_at_end(names, phrase)
         at_start = condition is None and without_start(phrase) != phrase
         phrase = without_start(phrase)
@@ -400,6 +403,13 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     if operands is not None:
         return _calculated(names, phrase, operands, condition, at_start, path)
     return _meant(names, phrase, condition, at_start, path)
+
+
+def _is_vector(names: Names, phrase: str) -> bool:
+    """Whether a phrase asks for something that has components."""
+    with names.quietly():
+        quantity = read_quantity(names, phrase, ("find",))
+    return quantity is not None and is_vector(quantity, space=names.space)
 
 
 def _of_whole(names: Names, phrase: str) -> str:

@@ -286,8 +286,8 @@ def _beside_parameter(names: Names, first: Clause, second: Clause, operator: str
     if bool(given_[0]) == bool(given_[1]):
         return
     for group in quantities(names, sides[0] if given_[1] else sides[1]):
-        each = (f"({text})" if operator == "/" else text for text in group)
-        yield [f"{given_[0] or text} {operator} {given_[1] or text}" for text in each]
+        both = ((given_[0] or text, given_[1] or text) for text in group)
+        yield [f"ratio of {a} to {b}" if operator == "/" else f"{a} {operator} {b}" for a, b in both]
 
 
 def _are_geared(names: Names, *sides: Clause) -> bool:

@@ -10,19 +10,13 @@ from typing import TYPE_CHECKING
 from freebody.errors import Problem
 from freebody.language.expression import FLOAT_FUNCTIONS
 from freebody.language.sentences import Message
-from freebody.questions.spoken import in_terms_of, joining
+from freebody.questions.spoken import joining
 from freebody.questions.spoken.accounting import loses_quantity
+from freebody.questions.spoken.asked_otherwise import Asking, otherwise
 from freebody.questions.spoken.assumed import takes_cut_for_whole, takes_held_for_stopped, what_does_not_hold
-from freebody.questions.spoken.at_distances import at_a_distance
-from freebody.questions.spoken.averages import over_a_turn
-from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
 from freebody.questions.spoken.braking import limits_of_braking
-from freebody.questions.spoken.changing import changed_by
 from freebody.questions.spoken.composing import JOINT
-from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.elements import Elements
-from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
-from freebody.questions.spoken.for_good import at_last_rest, without_for_good
 from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
@@ -33,16 +27,12 @@ from freebody.questions.spoken.keeping import (
     loses_sign,
 )
 from freebody.questions.spoken.kinds import is_of_kind
-from freebody.questions.spoken.leaving_out import at_rest_without, holds_without_which, without_load
-from freebody.questions.spoken.levels import told_above, with_height_of_mass_center
+from freebody.questions.spoken.leaving_out import holds_without_which
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
-from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.pointing import pointing
 from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
-from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -67,10 +57,7 @@ from freebody.questions.spoken.ways import (
     spelt_as_known,
     ways_to_mean,
     what_is_near,
-    with_own_letters,
 )
-from freebody.questions.spoken.weights import presses_upright, share_of_weight, without_gs
-from freebody.questions.spoken.words import written_out
 from freebody.questions.whether import stated_of
 
 if TYPE_CHECKING:
@@ -125,60 +112,15 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return [*zip(each, text.split(JOINT), strict=True)]
     told = names.problems[n_before:]
     del names.problems[n_before:]
-    if (put := with_own_letters(names, written_out(text))) != text:
-        return understood(names, put, read)
-    if (asked := without_context(names, elements_of(names), text)) != text:
-        return understood(names, asked, read)
-    if (counted := as_third(text)) is not None and (later := _at_later_impact(names, *counted, read)):
-        return later
-    if (between := between_impacts(text)) and not isinstance(timed := read_quietly(names, between, read), Unread):
-        return [*zip(timed, (between,), strict=True)]
-    if (left_out := without_load(names, text)) is not None:
-        return at_rest_without(names, left_out[1], understood(names, left_out[0], read), read)
-    if (once := without_for_good(text)) is not None:
-        return at_last_rest(names, understood(names, once, read), read)
-    if (in_gs := without_gs(names, text)) is not None and (multiple := _in_multiples(names, *in_gs, read)):
-        return multiple
-    if (share := share_of_weight(names, text)) is not None:
-        multiple = _in_multiples(names, *share, read)
-        if multiple and all(presses_upright(names, words) for _asked, words in multiple):
-            return multiple
-    if balancing := size_that_balances(names, text):
-        return understood(names, balancing, read)
-    if (put := as_force(names, text)) != text and (forced := _quietly_one(names, put, read)):
-        return forced
-    if (exists := for_which_there_is_one(names, text)) and (ranged := _quietly_one(names, exists, read)):
-        return ranged
-    if (exists := where_there_is_one(names, text)) is not None:
-        names.problem(exists, "find")
-        return []
-    if (nothing := in_terms_of.misspelt(names, text)) is not None:
-        names.problem(nothing, "find")
-        return []
-    if (put := with_height_of_mass_center(names, text)) != text:
-        return understood(names, put, read)
-    if (level := told_above(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
-        above := read_quietly(names, level, read), Unread
-    ):
-        return [*zip(above, (level,), strict=True)]
-    if (middle := halfway(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
-        half := read_quietly(names, middle, read), Unread
-    ):
-        return [*zip(half, (middle,), strict=True)]
-    if (put := with_shares(names, text)) != text:
-        return understood(names, put, read)
-    if (change := changed_by(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
-        made := read_quietly(names, change, read), Unread
-    ):
-        return [*zip(made, change.split(JOINT), strict=True)]
-    if mean := over_a_turn(names, text, lambda said: _said_plainly(names, said, read)):
-        return understood(names, mean, read)
-    if cut := at_a_distance(names, text, lambda said: _said_plainly(names, said, read)):
-        return understood(names, cut, read)
-    if (angle := pointing(names, text, lambda said: _said_plainly(names, said, read))) and not isinstance(
-        told_way := read_quietly(names, angle, read), Unread
-    ):
-        return [*zip(told_way, (angle,), strict=True)]
+    asking = Asking(
+        names,
+        text,
+        read,
+        lambda other: understood(names, other, read),
+        lambda other: _quietly_one(names, other, read),
+    )
+    if (found := otherwise(asking)) is not None:
+        return found
     if (sides := sides_of(elements_of(names), text)) is not None:
         return _compared(names, text, sides, told, read)
     nearest, instead = _nearest(names, text, read)
@@ -322,26 +264,6 @@ def _asked_plainly(names: Names, text: str, read: Callable[[str], AskedT | None]
     words = _WHAT_IS.sub("", text).rstrip("?!. ")
     found = None if words == text.rstrip("?!. ") else read_quietly(names, words, read)
     return [] if found is None or isinstance(found, Unread) else [(found[0], words)]
-
-
-def _at_later_impact(names: Names, text: str, n: int, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
-    """What a text asks of the third impact, asked of the n-th."""
-    with names.quietly():
-        found = understood(names, text, read)
-    words = [at_nth(said, n) for _asked, said in found]
-    if not words or None in words:
-        return []
-    each = [(asked, said) for said in words if said is not None and (asked := read(said)) is not None]
-    return each if len(each) == len(words) else []
-
-
-def _in_multiples(names: Names, text: str, unit: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
-    """What a text asks for, over what it is to be told in."""
-    with names.quietly():
-        found = understood(names, text, read)
-    each = [(read_quietly(names, words, read), words) for words in (f"({said})/({unit})" for _asked, said in found)]
-    read_all = [(one, words) for asked, words in each if not isinstance(asked, Unread) for one in asked]
-    return read_all if len(read_all) == len(found) else []
 
 
 def _compared(
