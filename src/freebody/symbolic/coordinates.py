@@ -8,7 +8,7 @@ coordinate, coordinates that do not move, and angles that the branch keeps equal
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 from freebody.errors import CannotAnswer
@@ -150,7 +150,7 @@ class CoordinateChoice:
         # wanted in the one order of measures, those before which they are made of; one that is at an extreme at the
         # start is no coordinate there: last
         points = self._samples.points
-        wanted = sorted(measures, key=lambda n: (any(n in s.still for s in points), isinstance(measures[n], Composed)))
+        wanted = sorted(measures, key=lambda n: (any(n in s.still for s in points), _is_made_of(measures, n)))
         turned_by = set(self._bodies.angle_names)
         found = [Candidate(n, m, (NAMED, -wanted.index(n))) for n, m in measures.items() if n not in turned_by]
         named = set(measures.values())
@@ -372,3 +372,9 @@ def _ends(measure: Measure) -> set[str]:
 
 def _label(name: str) -> str:
     return f"define {name}"
+
+
+def _is_made_of(measures: Mapping[str, Measure], name: str) -> bool:
+    """Whether a measure is an expression in several others that have names of their own."""
+    measure = measures[name]
+    return isinstance(measure, Composed) and sum(part in measures.values() for _name, part in measure.measures) > 1
