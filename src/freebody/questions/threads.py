@@ -132,8 +132,11 @@ def _locks(names: Names, found: Found, path: Path) -> Quantity | None:
     of = found["of"] or found["its"]
     if found["of"] and not has_thread(names, of):
         with names.quietly():
+            n_before = len(names.problems)
             locks = read_whether(names, f"{of} locks itself", path)
-        if locks is not None:
+            is_known = len(names.problems) == n_before
+            del names.problems[n_before:]
+        if locks is not None and is_known:
             return locks
     thread = _thread(names, of, path)
     return None if thread is None else LockingReserve(of, thread.static - thread.slope)

@@ -46,6 +46,7 @@ def on_wheels(names: Names) -> list[str]:
         name
         for name in rough(names, "")
         if may_open(names, name)
+        and "contact" in names.called.get(name, ())
         and len(bodies := names.connections[name].mentions(names) - {GROUND}) == 2
         and len(bodies & wheels) == 1
     ]
