@@ -149,8 +149,8 @@ class PhaseTree(Home):
             nodes = self._follow(start, sets, 0)
         self.roots += nodes
         gone = np.setdiff1d(sets, np.concatenate([sets[:0], *(n.sets for n in nodes)]))
-        reason = self.reasons[-1] if self.reasons else Message("no state of the contacts is consistent with the start")
-        reason = self._locked(gone) or reason
+        none = Message("no state of the contacts was found that is consistent with the start")
+        reason = self._locked(gone) or (self.reasons[-1] if self.reasons else none)
         self.lost |= dict.fromkeys(gone.tolist(), reason)
 
     def _locked(self, gone: Chosen) -> str:
