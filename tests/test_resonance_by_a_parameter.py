@@ -87,3 +87,29 @@ def test_each_of_two_natural_frequencies() -> None:
 def test_the_amplitude_in_resonance_is_the_largest_of_all(said: str) -> None:
     [asked] = System.from_text(TWO_MASSES).asked(said)
     assert str(asked.understood) == "largest steady amplitude of x over w"
+
+
+SLOT = """
+parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m, w: 3 rad/s, A: 1 N}
+bodies: {block: {particle: {mass: m}}}
+connections: {guide: {slider: {body: block, along: right}}}
+measures: {x: x of block}
+loads:
+  spring: {law: {measure: x, force: -(k - m*w^2)*x}}
+  push: {force: {at: block, along: right, magnitude: A*cos(w*t)}}
+"""
+DAMPER = "  damper: {law: {measure: x, force: -c*rate(x)}}\n"
+
+
+def test_where_the_stiffness_changes_with_the_frequency_both_vary() -> None:
+    """In a slot that turns at w: (k - 2 m w^2) x = A, and with damping (k - 2 m w^2)^2 + c^2 w^2 is least."""
+    found = is_formula(SLOT, "resonance frequency of x", "sqrt(k/(2*m))")
+    assert not any("stable" in str(c) for c in found.conditions)  # that is of w, not of where it resonates
+    is_formula(SLOT + DAMPER, "resonance frequency of x", "sqrt((4*m*k - c^2)/2)/(2*m)")
+
+
+@pytest.mark.parametrize("what", ["speed of block", "kinetic energy", "|x|"])
+def test_what_does_not_swing_to_first_order_has_no_amplitude(what: str) -> None:
+    found = posed(SLOT, f"steady amplitude of {what}")
+    assert found.expression is None
+    assert found.value is None

@@ -50,6 +50,13 @@ def test_shoe_that_the_drum_pushes_off_never_locks_itself() -> None:
     assert told.expression is None
 
 
+@pytest.mark.parametrize("question", ["range of mu for which shoe locks itself", "is the brake self-locking"])
+def test_at_a_drum_that_stands_still_nothing_locks(question: str) -> None:
+    """It stays at rest whatever the shoe does, so that `it stays at rest` is another question."""
+    with pytest.raises(ModelError, match="nothing slides at the start"):
+        fb.System.from_text(SHOE.replace("rate(phi): w0", "rate(phi): 0")).solve(question)
+
+
 def test_where_it_locks_itself_no_time_is_told_and_that_is_the_reason() -> None:
     (told,) = fb.System.from_text(SHOE).with_parameters(mu=0.9).solve("time when rate(phi) = 0").answers
     assert told.value is None

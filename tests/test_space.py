@@ -967,6 +967,13 @@ def test_a_plate_that_hangs_on_three_cables_has_the_forces_of_statics_where_it_s
     assert any("in which the system rests" in note for note in first.notes)
 
 
+def test_what_has_no_formula_in_any_phase_is_refused_with_its_reason_beside_what_has_one() -> None:
+    asked = ["tension of A", "largest P so that A stays taut", "time when A goes slack"]
+    first, *others = fb.System.from_text(PLATE).solve(asked).answers
+    assert first.expression is not None
+    assert all(answer.expression is None and "would have more than" in answer.reason for answer in others)
+
+
 def test_what_is_not_in_equilibrium_at_the_start_has_no_formula_of_statics() -> None:
     pushed = PLATE.replace("along: -z", "along: x")
     (answer,) = fb.System.from_text(pushed).solve("tension of A").answers

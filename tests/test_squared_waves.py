@@ -40,3 +40,23 @@ def test_it_swings_about_its_mean_at_twice_the_frequency(wave: str, rest: str) -
 def test_a_pendulum_in_gusts_swings_about_a_slanting_line() -> None:
     """The mean force A/2 stands beside m g: it swings in the field sqrt(g^2 + (A/(2 m))^2)."""
     is_formula(BOB, "natural frequency", "sqrt(sqrt(g^2 + (A/(2*m))^2)/L)")
+
+
+def test_what_holds_it_in_equilibrium_is_that_of_the_mean() -> None:
+    text = CART.replace("WAVE", "A*cos(w*t)^2")
+    is_formula(text, "force in spring in equilibrium", "-A/2")
+    is_formula(text, "potential energy in equilibrium", "A^2/(8*k)")
+
+
+def test_an_equilibrium_exists_where_the_mean_can_be_held() -> None:
+    """A bar under a torque T cos^2(w t) hangs at sin(phi) = (T/2)/(m g L/2)."""
+    bar = """
+parameters: {m: 2 kg, L: 1 m, T: 5 N m, g: 9.81 m/s^2, w: 2 rad/s}
+bodies: {bar: {rod: {mass: m, length: L}}}
+connections: {hinge: {pin: [ground.O, bar.start]}}
+loads: {weight: {gravity: g}, motor: {torque: {on: bar, magnitude: T*cos(w*t)^2}}}
+measures: {phi: {angle of bar from down}}
+start: {phi: 0, rate(phi): 0}
+"""
+    is_formula(bar, "equilibrium of phi", "asin(T/(m*g*L))")
+    is_formula(bar, "range of T for which an equilibrium exists", "m*g*L")

@@ -11,7 +11,8 @@ from dataclasses import dataclass
 from typing import Any, cast
 
 from freebody.errors import ExpressionError, UnitError
-from freebody.language.expression import Call, Expr, Number, Symbol, free_symbols, number
+from freebody.language.expression import Call, Expr, Number, Symbol, children, free_symbols, number
+from freebody.language.notation import to_python
 from freebody.language.sentences import Message, as_found
 from freebody.language.units import DIMENSIONLESS, dimension_of
 from freebody.measures.angle import Angle
@@ -421,8 +422,7 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
     if dot and of in names.bodies and (meant := _OF_A_BODY.get(coordinate)):
         return read_measure(names, f"{meant} of {of}", *path)
     if re.fullmatch(r"rate\(\w+\)|\w+'", text):
-        told = Message("a measure has its rate beside it: {text} may stand in start and in questions", text=text)
-        names.unknown(text, told, *path)
+        names.unknown(text, _is_a_rate(text), *path)
         return None
     if rate := re.fullmatch(r"(?P<angular>angular )?(?:velocity|speed|acceleration) of (?P<body>\w+)", text):
         what = f"{'angle' if rate['angular'] else 'x'} of {rate['body']}"
@@ -465,6 +465,17 @@ def _is_expression_of_measures(names: Names, text: str) -> bool:
     return bool(used & names.measures.keys()) and used <= names.measures.keys() | names.parameters.keys()
 
 
+def _is_a_rate(text: str) -> Message:
+    return Message("a measure has its rate beside it: {text} may stand in start and in questions", text=text)
+
+
+def _rate_in(e: Expr) -> str:
+    """A rate that stands in an expression; empty where none does."""
+    if isinstance(e, Call) and e.function == "rate":
+        return to_python(e)
+    return next(filter(None, map(_rate_in, children(e))), "")
+
+
 def composed(names: Names, text: str, *path: str | int) -> Measure | None:
     """An expression in other measures. One that is linear in them with constant coefficients is a combination."""
     try:
@@ -474,6 +485,9 @@ def composed(names: Names, text: str, *path: str | int) -> Measure | None:
             names.problem(str(error), *path)
         return None
     if free_symbols(expr) & names.broken:
+        return None
+    if rate := _rate_in(expr):
+        names.unknown(text, _is_a_rate(rate), *path)
         return None
     used = sorted(free_symbols(expr) & set(names.measures))
     dimensions = names.dimensions() | {n: m.dimension for n, m in names.measures.items()}

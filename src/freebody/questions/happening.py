@@ -26,6 +26,10 @@ from freebody.questions.turned_round import reached_in
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+NOTHING_SLIDES = Message(
+    "nothing slides at the start, so that nothing can lock there: ask what keeps it at rest, as in range of mu that "
+    "keeps it at rest"
+)
 LastingKind = Literal["touches", "rolls", "stands", "locks"]
 
 

@@ -136,6 +136,14 @@ class ForcedOscillation:
                 total = total + slope * motion
         return total
 
+    def is_even(self, x: Ratio) -> bool:
+        """Whether a quantity varies with the motion, but not to first order, as an energy or a speed."""
+        moving = {k for c in self.model.coordinates for k in (c.index, c.speed)}
+        return bool(moving & x.field.ingredients(x)) and all(
+            self.linear.slope(x, c).is_zero() and self.linear.speed_slope(x, c).is_zero()
+            for c in self.model.coordinates
+        )
+
     @cached_property
     def _excitations(self) -> list[tuple[Phasor, Dimension]]:
         """Of loads and drives that are harmonic by themselves, with their dimensions."""

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.questions.base import NAME
+from freebody.questions.happening import NOTHING_SLIDES
 from freebody.questions.rest import loads_by
 from freebody.questions.spoken import rubbing
 from freebody.questions.spoken.lexicon import contexts, languages
@@ -32,8 +33,10 @@ def holds_without_which(names: Names, text: str) -> Message | None:
     """What is said of a text that asks whether what rests under several forces locks itself."""
     pushes = rubbing.chosen_pushes(names)
     asks = any(re.search(contexts(language)["locks_itself"], text, re.IGNORECASE) for language in languages())
-    if not asks or len(pushes) < 2 or not names.lets_go_from_rest or not rubbing.is_rough(names):
+    if not asks or not names.lets_go_from_rest or not rubbing.is_rough(names):
         return None
+    if len(pushes) < 2:
+        return NOTHING_SLIDES if rubbing.on_wheels(names) else None
     return Message(
         "say without which force it is to hold by itself, however large the others are, as in: does it hold without "
         "{load}, or range of mu that keeps it at rest without {load}",

@@ -94,6 +94,8 @@ def locking_itself(names: Names, things: list[str]) -> list[str]:
         return []
     found = [name for name in rough(names, "") if all(touches(names, name, thing) for thing in things)]
     if found and lookup.rests(names):
+        if set(found) & set(on_wheels(names)):
+            return []  # a wheel that nothing drives stays at rest whatever its brake does
         pushes = chosen_pushes(names)
         if len(names.loads) == 1:
             return ["it stays at rest"]

@@ -213,6 +213,9 @@ class FindingByKind:
 
     @_found.register(RestValue)
     def _value_at_rest(self, q: RestValue) -> Finding:
+        from freebody.study.small_motion.ask import about_mean
+
+        self._look(about_mean(self.setup))
         # without mass nothing leaves the pose of the start, where an open load balances the others
         is_posed = self.model.dynamics.moves_no_mass and q.of.kinematic_order is None
         if is_posed and (found := self._balanced(q.of)) is not None:

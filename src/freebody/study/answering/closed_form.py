@@ -252,8 +252,10 @@ class QuestionSolver(FindingAtEvents):
             return solved_for(self.setup, self.question, stability(self.setup, is_so=q.of.is_so))
 
         if isinstance(q.of, ExistingEquilibrium):
+            from freebody.study.small_motion.ask import about_mean
             from freebody.study.small_motion.exists_for import existence as of_rest
 
+            self._look(about_mean(self.setup))
             return solved_for(self.setup, self.question, of_rest(self.setup, is_so=q.of.is_so))
 
         if isinstance(q.of, StableSteadyMotion):

@@ -460,7 +460,12 @@ def _without_phases(system: System, questions: Sequence[Question], reason: str) 
     from freebody.study.friction.answers import answer as at_rest
 
     setup = Setup(system)
-    model = setup.model
+    try:
+        model = setup.model
+    except CannotAnswer as error:  # too long in any phase
+        found, changes = _in_numbers(setup, questions, str(error)), partial(refused, reason=str(error))
+        told = zip(questions, found.answers, strict=True)
+        return replace(found, answers=tuple(changes(q) if _is_of_changes(system, q) else a for q, a in told))
     dof = model.degrees_of_freedom - len(system.states)
     answers: list[Answer] = []
     for q in questions:

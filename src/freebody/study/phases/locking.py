@@ -19,7 +19,7 @@ from freebody.language.sentences import Message
 from freebody.model.elements import DryFriction
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
-from freebody.questions.happening import Lasting
+from freebody.questions.happening import NOTHING_SLIDES, Lasting
 from freebody.study.phases.home import Home
 from freebody.study.phases.numbers import Chosen
 from freebody.study.phases.placed import Placed
@@ -62,12 +62,7 @@ def locking_cases(home: Home, slips: Mapping[str, Ratio], lasting: Lasting) -> I
             free += [] if slides is None else [slides]
         yield False, (*given, *free)
     if not found:
-        raise CannotAnswer(
-            Message(
-                "nothing slides at the start, so that nothing can lock there: ask what keeps it at rest, as in range "
-                "of mu that keeps it at rest"
-            )
-        )
+        raise CannotAnswer(NOTHING_SLIDES)
 
 
 def self_pressed(home: Home, slips: Mapping[str, Ratio]) -> Iterator[tuple[str, Ratio]]:

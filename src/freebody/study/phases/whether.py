@@ -51,7 +51,7 @@ def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
             check.compare(tree.home.draws[0].with_values(values, system), float(bool(case.is_so)), float(seen))
 
     check.gather(_looked_at(tree, parts), compare)
-    verdict, notes = "", [MEANS] if locks else list[str]()
+    verdict, notes = "", [MEANS] if locks and any(case.is_so for case in cases) else list[str]()
     here: HappeningCase | None = None
     if system.has_values:
         here = next((case for case, sets in parts if 0 in sets), None)

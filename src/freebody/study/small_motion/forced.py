@@ -4,12 +4,13 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property, singledispatch
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -64,6 +65,10 @@ def forced_number(setup: Setup, question: Question, draw: Draw) -> float:
     needed = (*told.rest.exists, *told.rest.stable)
     if not all(holds(setup, c, draw, draw.start()) for c in needed) or unrest(setup, draw, told.places(draw)) > AT_REST:
         raise CannotAnswer(Message("the equilibrium that formulas give is none at the model's own values"))
+    of: Quantity | None = getattr(question.quantity, "of", None)
+    if of is not None:
+        with suppress(FormulaTooLong):
+            told.of(of)  # raises where it does not swing to first order, which no number shows
     return _number(question.quantity, told, told.numbers(draw))
 
 
@@ -112,7 +117,16 @@ class _Forced:
         value = q.value(self.setup.system, self.setup.state)
         if isinstance(value, tuple):
             raise CannotAnswer(Message("a vector has no one amplitude; ask along a direction"))
-        return self.forced.of(self.model.field.element(value))
+        x = self.model.field.element(value)
+        swing = self.forced.of(x)
+        if swing.is_zero and self.forced.is_even(x):
+            raise CannotAnswer(
+                Message(
+                    "to first order it does not swing as the motion does, no more than an energy or a speed: ask for a "
+                    "place, for a velocity along a direction or for a force"
+                )
+            )
+        return swing
 
     def root(self, x: Ratio) -> Ratio:
         """Of a square, out of which only factors come whose sign is known."""
@@ -131,7 +145,8 @@ class _Forced:
     @cached_property
     def paced_by(self) -> tuple[int, Ratio]:
         """The parameter P to which the frequency of the excitation is proportional, as the speed of a car on a wavy
-        road is, and Omega/P: what varies where the frequency does."""
+        road is, and Omega/P: what varies where the frequency does, rather than what the motion depends on besides, as
+        the stiffness of what turns does on the rate of turning."""
         f, frequency, linear = self.model.field, self.forced.swing.frequency, self.linear
         own = {
             g
@@ -140,7 +155,7 @@ class _Forced:
             for x in row
             for g in f.ingredients(x)
         }
-        for g in sorted(frequency.generators() - own):
+        for g in sorted(frequency.generators(), key=lambda g: (g in own, g)):
             factor = f.lowest_terms(frequency / f.variable(g))
             if f.generators[g].kind == "parameter" and g not in f.ingredients(factor):
                 return g, factor
@@ -311,6 +326,10 @@ def _resonance(q: ResonanceFrequency, told: _Forced, question: Question) -> Find
     roots = tuple(f.sqrt(x, told.model.samples.is_negative) for x in best)
     if not is_bounded:
         told.notes.append(Message("without damping the amplitude grows without bound there"))
+    there = [
+        replace(c, element=f.lowest_terms(f.follow(c.element, {omega: x}))) for x in roots for c in told.conditions
+    ]
+    told.conditions[:] = dict.fromkeys(insisted(there, none))
     roots = tuple(f.lowest_terms(told.paced_by[1] * x) for x in roots)
     evidence = _at_resonance(told, question, q, roots, is_bounded=is_bounded)
     return Finding(roots[0] if len(roots) == 1 else roots, evidence, told.conditions, told.notes)
@@ -349,9 +368,7 @@ def _at_resonance(
             return
         exact = element_at(setup, roots, draw, start)
         if not is_bounded:
-            places = places_at(setup, told.rest.values, draw)
-            natural = np.array(frequencies_at(setup, draw, places))
-            check.compare(draw, exact, tuple(float(natural[np.argmin(np.abs(natural - x))]) for x in exact))
+            check.compare(draw, exact, tuple(_nearest_natural(told, told.with_frequency(draw, x), x) for x in exact))
             return
         step = _to_vertex(told, q, draw, exact[0])
         if step is None:
@@ -365,10 +382,13 @@ def _at_resonance(
 @_number.register(ResonanceFrequency)
 def _resonance_number(q: ResonanceFrequency, told: _Forced, numbers: ForcedNumbers) -> float:
     """From the natural frequency nearest to the excitation on, step after step of Newton's method."""
-    setup, draw = told.setup, numbers.draw
-    natural = np.array(frequencies_at(setup, draw, numbers.places))
-    x = float(natural[np.argmin(np.abs(natural - numbers.frequency))])
+    draw = numbers.draw
+    x = _nearest_natural(told, draw, numbers.frequency)
     if not told.linear.is_damped:
+        with suppress(CannotAnswer):  # where it is no parameter nothing varies with it
+            there = told.with_frequency(draw, x)
+            if abs(_nearest_natural(told, there, x) - x) > TOLERANCE * x:
+                raise SaysNothing(Message("the natural frequencies vary with that of the excitation"))
         return x
     for _ in range(_VERTICES):
         step = _to_vertex(told, q, draw, x)
@@ -378,6 +398,11 @@ def _resonance_number(q: ResonanceFrequency, told: _Forced, numbers: ForcedNumbe
         if abs(step) < TOLERANCE * _APART:
             break
     return x
+
+
+def _nearest_natural(told: _Forced, draw: Draw, x: float) -> float:
+    natural = np.array(frequencies_at(told.setup, draw, told.places(draw)))
+    return float(natural[np.argmin(np.abs(natural - x))])
 
 
 def _to_vertex(told: _Forced, q: ResonanceFrequency, draw: Draw, x: float) -> float | None:
