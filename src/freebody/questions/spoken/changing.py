@@ -15,13 +15,13 @@ from freebody.questions.spoken import given
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import compared_in, comparing, languages
+from freebody.questions.spoken.relating import NO_QUANTITY
 from freebody.questions.spoken.sought import parameter_meant
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _DOWN = {"factor": "reduction factor", "increase": "decrease", "relative increase": "relative decrease"}
-_NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
 _EXERTED = re.compile(r"force (?:in|of) (?P<load>\w+)")
 _OF_STATE = re.compile(
     r"(?:(?:angular )?(?:speed|velocity)|height|position|(?:kinetic|potential|total) energy"
@@ -61,7 +61,7 @@ def _is_no_answer(names: Names, words: str) -> bool:
         return True
     exerted = _EXERTED.fullmatch(words)
     loads = {given.load_of(names, name) for name in names.parameters} - {""}
-    return bool(_NO_QUANTITY.match(words)) or (exerted is not None and exerted["load"] in loads)
+    return bool(NO_QUANTITY.match(words)) or (exerted is not None and exerted["load"] in loads)
 
 
 def _parted(names: Names, text: str, language: str) -> Iterator[tuple[str, _Altered]]:
