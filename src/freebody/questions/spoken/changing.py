@@ -1,7 +1,7 @@
 """What another value of a parameter makes of a quantity: by what factor does the period change if L is doubled.
 
 What is altered, and how, stands in a clause of its own, or is the subject (doubling the mass); what is asked for is a
-quantity that is read by itself. Patterns: `changes` in a file of its own (xx.changes.toml).
+quantity that is read by itself. Patterns: `changes` in a file of its own (xx.comparing.toml).
 """
 
 from __future__ import annotations
@@ -13,15 +13,20 @@ from typing import TYPE_CHECKING
 
 from freebody.questions.spoken import given
 from freebody.questions.spoken.composing import JOINT
+from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import compared_in, comparing, languages
+from freebody.questions.spoken.relating import NO_QUANTITY
 from freebody.questions.spoken.sought import parameter_meant
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _DOWN = {"factor": "reduction factor", "increase": "decrease", "relative increase": "relative decrease"}
-_NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
 _EXERTED = re.compile(r"force (?:in|of) (?P<load>\w+)")
+_OF_STATE = re.compile(
+    r"(?:(?:angular )?(?:speed|velocity)|height|position|(?:kinetic|potential|total) energy"
+    r"|(?:linear|angular) momentum)(?: (?:of|along|about|relative to) [\w.]+)*"
+)
 _COUNT = re.compile(r"(?P<n>\d+(?:\.\d+)?) times", re.IGNORECASE)
 
 
@@ -50,10 +55,13 @@ def changed_by(names: Names, text: str, said: Callable[[str], str]) -> str:
 
 
 def _is_no_answer(names: Names, words: str) -> bool:
-    """Whether nothing follows from parameters there: what is chosen, or is given as it is."""
+    """Whether nothing follows from parameters there: what is chosen, or is given as it is, or is a place or a speed at
+    no instant of a motion."""
+    if n_freedoms(names) > 0 and (words in names.measures or _OF_STATE.fullmatch(words)):
+        return True
     exerted = _EXERTED.fullmatch(words)
     loads = {given.load_of(names, name) for name in names.parameters} - {""}
-    return bool(_NO_QUANTITY.match(words)) or (exerted is not None and exerted["load"] in loads)
+    return bool(NO_QUANTITY.match(words)) or (exerted is not None and exerted["load"] in loads)
 
 
 def _parted(names: Names, text: str, language: str) -> Iterator[tuple[str, _Altered]]:

@@ -220,6 +220,8 @@ def lost(names: Names, sentence: Sentence) -> Groups:
 
 def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups:
     """What fraction of the energy is lost up to an event: of the kinetic energy, where there is no other."""
+    if _is_lost_beside_the_blow(sentence.main):
+        return
     main = sentence.main.without("part", "initial")  # of what there is at first
     if asked in (["energy"], ["kinetic energy"]) and main.has("verb", "lost"):  # that goes into heat
         asked = [f"{asked[0]} lost"]
@@ -256,6 +258,12 @@ def _fraction_lost(names: Names, sentence: Sentence, asked: list[str]) -> Groups
     elif asked == ["kinetic energy lost"] and is_all and main.only("quantity", "ask", "name", *SILENT):
         for end in ends(names, sentence):  # whatever becomes of it
             yield [f"1 - (kinetic energy when {condition})/(kinetic energy at start)" for condition in end]
+
+
+def _is_lost_beside_the_blow(main: Clause) -> bool:
+    """Whether a loss before, or after, a blow is meant, and not of what there is then."""
+    at = next((k for k, word in enumerate(main.words) if word.what.split(" ")[-1] == "lost"), len(main.words))
+    return any(word.what in ("before the impact", "after the impact") for word in main.words[at:])
 
 
 def counted(names: Names, sentence: Sentence) -> Groups:

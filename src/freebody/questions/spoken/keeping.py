@@ -18,7 +18,7 @@ from freebody.language.expression import free_symbols
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import along_lines, driving, given, joining, lookup, rubbing
-from freebody.questions.spoken.accounting import is_accounted_for
+from freebody.questions.spoken.accounting import TURNED_ROUND, is_accounted_for
 from freebody.questions.spoken.expressed import dropped
 from freebody.questions.spoken.frames import OSCILLATION
 from freebody.questions.spoken.lexicon import ENGLISH, Word, contexts, languages, tells_apart
@@ -33,7 +33,7 @@ _OF_ALL = re.compile(
     r"does it tip or slide)\b"
 )
 _SLIPS = re.compile(r"\b(?:slips?|slipping|rolls?|rolling)\b")
-_TURNED_ROUND = re.compile(r"^(?:value|range|least|largest) (?:of )?(?P<parameter>\w+) (?:for|so|that) ")
+_RESTS = re.compile(r"\b(?:it stays at rest|keeps it at rest|does it hold)\b")
 _OF_THING = ("quantity", "name", "preposition")  # kinds of words behind a thing that say of what it is
 _STATES = ("move", "slide", "slip", "rest", "stay", "hold", "tip", "stand", "stick", "start")  # of the whole, too
 _OF_ONE = re.compile(r"^(?:velocity|speed|acceleration) of (?P<body>\w+)(?= |$)(?!.* relative )")
@@ -137,7 +137,7 @@ def moves_nowhere(names: Names) -> bool:
 def chooses_of_what_is_asked(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether a parameter that is to be chosen is one of the thing that is asked for: which load can be held asks for
     no force."""
-    chosen = _TURNED_ROUND.match(text)
+    chosen = TURNED_ROUND.match(text)
     said = [word for word in words if word.kind != "filler"]
     asks, thing, behind = [*said, *[Word("", "")] * 3][:3]
     is_thing = asks == Word("ask", "what") and thing.kind == "name" and behind.kind not in _OF_THING
@@ -194,8 +194,7 @@ def loses_height(names: Names, said: str, text: str) -> bool:
 
 def is_pressed(said: str) -> bool:
     """Whether a text speaks of compression, in which the force of a bar has the other sign."""
-    told = (contexts(language).get("pressed") for language in languages())
-    return any(one is not None and re.search(one, said, re.IGNORECASE) for one in told)
+    return _says("pressed", said)
 
 
 def loses_sign(said: str, text: str) -> bool:
@@ -214,6 +213,28 @@ def loses_joint(names: Names, said: str, text: str) -> bool:
         and not any({*driving.drives_of(names, joint)} & {*found} for joint in named)
         and not any(tells_apart(name.lower(), ENGLISH) for name in named)
     )
+
+
+def _says(key: str, said: str) -> bool:
+    told = (contexts(language).get(key) for language in languages())
+    return any(one is not None and re.search(one, said, re.IGNORECASE) is not None for one in told)
+
+
+def is_one_without_other(said: str) -> bool:
+    """Whether something is to tip without sliding, or the other way round: one condition, and no two questions."""
+    return _says("one_without_other", said)
+
+
+def loses_failure(said: str, text: str) -> bool:
+    """Whether it is to fail in one of two ways without the other, and that it does neither stands for it."""
+    return _RESTS.search(text) is not None and is_one_without_other(said)
+
+
+def loses_mass_center(said: str, text: str) -> bool:
+    """Whether it is asked where the mass centre may lie, and a parameter that nobody names stands for its height."""
+    turned = TURNED_ROUND.match(text)
+    is_named = turned is not None and re.search(rf"\b{turned['parameter']}\b", said) is not None
+    return turned is not None and not is_named and "center" not in text and _says("mass_center", said)
 
 
 def _is_what_turns(names: Names, words: Sequence[Word], k: int) -> bool:
@@ -269,7 +290,7 @@ def _is_meant(names: Names, thing: str, things: set[str], text: str) -> bool:
         rough = [joint for other in things for joint in rubbing.rough(names, other)]
         return bool(rough) and all(joining.touches(names, joint, thing) for joint in rough)
     parameters = things & names.parameters.keys()
-    if parameters and _TURNED_ROUND.search(text):
+    if parameters and TURNED_ROUND.search(text):
         return any(_is_of(names, thing, other) for other in parameters)
     struck = {struck for joint in names.struck_at_start for struck in (joint, *_bodies(names, joint))}
     if "in the impact" in text and not joining.strikes(names):  # what closes on the way is all that can be struck

@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _SIGNS = {"ratio": "/", "difference": "-"}
-_NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
+NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
 _IS_RATIO = re.compile(r"/|\b(?:ratio|factor|decrement|efficiency|advantage|transmissibility|coefficient|share)\b")
 _BEARING = re.compile(r"vertical reaction of (?P<of>\w+)")
 _WHEN = re.compile(r" (?:when .+|at start)$")
@@ -99,7 +99,7 @@ def _plain(other: str, one: str, language: str) -> str:
 
 def _one(names: Names, read: str) -> str:
     """A side that is one quantity; what is a vector by its size, with which one calculates."""
-    if not read or JOINT in read or _NO_QUANTITY.match(read):
+    if not read or JOINT in read or NO_QUANTITY.match(read):
         return ""
     of_body = _OF_BODY.match(read)
     is_vector = _VECTOR.match(read) is not None or (of_body is not None and of_body["body"] in names.bodies)

@@ -21,8 +21,11 @@ from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
     is_kept,
+    is_one_without_other,
+    loses_failure,
     loses_height,
     loses_joint,
+    loses_mass_center,
     loses_other,
     loses_sign,
 )
@@ -308,6 +311,8 @@ def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str
 def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for that is several questions in one, each read by itself; nothing where one cannot be."""
     elements = elements_of(names)
+    if is_one_without_other(text):
+        return []
     text = of_rivals(elements, text)
     if each := each_of(names, elements, text):
         found = [_one(names, said, read) for said in each[:ONE_BY_ONE]]
@@ -469,6 +474,8 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_failure(text, words)}
+            here = {words: asked for words, asked in here.items() if not loses_mass_center(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
             here = {words: asked for words, asked in here.items() if not takes_held_for_stopped(text, words)}
             here = {words: asked for words, asked in here.items() if calls <= set(_CALL.findall(words))}
