@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import pytest
 
+from freebody.api import System
 from posed import is_formula
 
 CART = """
@@ -60,3 +61,16 @@ start: {phi: 0, rate(phi): 0}
 """
     is_formula(bar, "equilibrium of phi", "asin(T/(m*g*L))")
     is_formula(bar, "range of T for which an equilibrium exists", "m*g*L")
+
+
+@pytest.mark.parametrize(("law", "n"), [("A + A*cos(w*t) + A*cos(2*w*t)", 1), ("A*cos(w*t)", 0), ("A*cos(w*t)^2", 0)])
+def test_loads_of_several_waves_are_said_to_be_those_at_the_start(law: str, n: int) -> None:
+    cart = f"""
+parameters: {{m: 1 kg, k: 20 N/m, A: 4 N, w: 3 1/s}}
+bodies: {{b: {{particle: {{mass: m}}}}}}
+connections: {{g: {{slider: {{body: b, along: right}}}}}}
+measures: {{x: x of b}}
+loads: {{s: {{law: {{measure: x, force: -k*x}}}}, p: {{force: {{at: b, along: right, magnitude: {law}}}}}}}
+"""
+    (answer,) = System.from_text(cart).solve("equilibrium of x").answers
+    assert sum("as they are at t = 0" in note for note in answer.notes) == n

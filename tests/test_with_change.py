@@ -7,6 +7,7 @@ import math
 import pytest
 
 from freebody.api import System
+from freebody.errors import ModelError
 from freebody.language.notation import to_text
 
 PENDULUM = """
@@ -67,3 +68,9 @@ def test_what_grows_without_bound_has_no_factor() -> None:
     answer = System.from_text(PENDULUM).solve("factor of period of small oscillations as L grows").answers[0]
     assert answer.expression is None
     assert "without bound" in str(answer.reason)
+
+
+def test_what_moves_has_a_factor_at_an_instant_that_is_said() -> None:
+    with pytest.raises(ModelError, match="say when phi is meant"):
+        System.from_text(PENDULUM).asked("factor of phi as L -> 2*L")
+    assert System.from_text(PENDULUM).asked("factor of phi at start as L -> 2*L")

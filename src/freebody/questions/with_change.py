@@ -15,8 +15,10 @@ import re
 from dataclasses import replace
 from typing import TYPE_CHECKING
 
+from freebody.language.sentences import Message
 from freebody.questions.arithmetic import read_calculated
 from freebody.questions.at_events import AtEvent
+from freebody.questions.motion import OfMeasure
 from freebody.questions.reading_of_parameters import Read, read_limit
 from freebody.questions.reading_when import Meant
 from freebody.questions.turned_round import LIMIT
@@ -45,6 +47,10 @@ def read_change(read: Read, names: Names, phrase: str, when: object) -> Meant | 
         return None
     then, now = read_limit(read, names, found, when), read(names, found["of"] + (found["timed"] or ""), when)
     if then is None or now is None:
+        return None
+    if isinstance(now.quantity, OfMeasure) and not (now.at_start or now.event or now.transition):
+        told = Message("say when {what} is meant, e.g. at start", what=found["of"])
+        names.problem(told, "find")
         return None
     both = {_THEN: then, _NOW: now}
     runs = CHANGES[said["what"]]

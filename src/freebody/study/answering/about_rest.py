@@ -32,7 +32,7 @@ from freebody.symbolic.equilibrium import (
     find_equilibrium,
     lies_in_family,
 )
-from freebody.symbolic.linearised import stand_still, swing_of
+from freebody.symbolic.linearised import stand_still, swing_of, timed_in
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signs import Sign, sign_of
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
@@ -154,7 +154,7 @@ def equilibrium(setup: Setup, question: Question, q: Equilibrium) -> Finding:
         raise CannotAnswer(Message("{x} is driven: it does not come to rest", x=q.name))
     conditions = needs_of_rest(setup, rest)
     evidence = at_equilibrium.at_rest(setup, question.text, rest.values, x, conditions)
-    notes = _stability(setup, rest)
+    notes = [*_stability(setup, rest), *_as_loads_are(setup)]
     if lies_in_family(model, rest.values, q.measure):
         notes.append(Message("one of a family: free to rest anywhere along {names}", names=q.name))
     return Finding(x, evidence, conditions, notes + _other_rests(setup, q, x, others))
@@ -355,6 +355,14 @@ def needs_of_rest(setup: Setup, rest: ClosedFormRest, clear: str = ">=") -> list
     state = StateOfRest(setup.model, rest.values | mean)
     holding = setup.holding(state, with_contacts=bool(setup.system.applied_loads))
     return [*rest.exists, *holding, *setup.clearances(state, clear)]
+
+
+def _as_loads_are(setup: Setup) -> list[str]:
+    """That loads which vary in time otherwise than in one wave are taken as they are at the start."""
+    dynamics = setup.model.dynamics
+    varies = any(timed_in(setup.model, x) for x in (*dynamics.forcing_near_rest, *dynamics.parts_of_inertia))
+    told = Message("with the loads as they are at t = 0: they vary with time, and where they balance, too")
+    return [told] if varies and swing_of(setup.model) is None else []
 
 
 def _stability(setup: Setup, rest: ClosedFormRest) -> list[str]:
