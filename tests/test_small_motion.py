@@ -544,7 +544,7 @@ def test_what_measures_are_made_of_are_the_coordinates_before_an_expression_in_t
 parameters: {m: 2000 kg, k: 800 kN/m}
 bodies: {f1: {block: {mass: m}}, f2: {block: {mass: m}}}
 connections: {s1: {slider: {body: f1, along: right}}, s2: {slider: {body: f2, along: right}}}
-measures: {u1: x of f1, u2: x of f2, d: u2 - u1}
+measures: {d: u2 - u1, u1: x of f1, u2: x of f2}
 loads: {c1: {law: {measure: u1, force: -k*u1}}, c2: {law: {measure: d, force: -k*d}}}
 """)
     frequencies, shapes = system.solve(["natural frequencies", "mode shapes"]).answers

@@ -18,6 +18,8 @@ from freebody.model.names import Names
 from freebody.model.phrases import read_measure
 from freebody.system.reading.source import Source
 
+_PHRASE = re.compile(r"\b(?:of|from|between|along)\b")  # words of a measure that is no expression in others
+
 
 def read_measures(source: Source) -> dict[str, Measure]:
     names = source.names
@@ -51,7 +53,9 @@ def _in_turn(given: Mapping[str, Any]) -> Iterator[tuple[str, Any]]:
 
 
 def _named_in(value: Any) -> set[str]:
-    expression = cast("dict[str, Any]", value).get("expression", "") if isinstance(value, dict) else ""
+    expression = cast("dict[str, Any]", value).get("expression", "") if isinstance(value, dict) else value
+    if _PHRASE.search(str(expression)):
+        return set()
     return set(re.findall(r"[A-Za-z_]\w*", str(expression)))
 
 
