@@ -13,8 +13,8 @@ from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.grammar import read_quantity
 from freebody.questions.linkages import FOUR_BAR, RANK, OfLinkage
-from freebody.questions.reading import read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -10,7 +10,7 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.course import connections_of
-from freebody.questions.reading import read_quantity
+from freebody.questions.grammar import read_quantity
 from freebody.questions.sudden import BLOW
 
 if TYPE_CHECKING:

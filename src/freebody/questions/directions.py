@@ -17,7 +17,7 @@ from freebody.measures.geometry import Direction
 from freebody.model.state import State, no_direction
 from freebody.questions.arithmetic import Functions, Joined
 from freebody.questions.base import Described, Found, Path, Quantity, asked
-from freebody.questions.reading import read_quantity
+from freebody.questions.grammar import read_quantity
 from freebody.questions.vectors import axes_of, components_of, dot
 
 if TYPE_CHECKING:

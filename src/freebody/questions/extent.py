@@ -16,8 +16,8 @@ from freebody.questions.base import Described, Found, Path, Quantity, angular_un
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event import Peak
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.grammar import read_calculation
 from freebody.questions.motion import OfMeasure
-from freebody.questions.reading import read_calculation
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

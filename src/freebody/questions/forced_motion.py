@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING
 from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, Dimension
 from freebody.questions.base import Found, Path, Quantity, angular_unit, asked
-from freebody.questions.reading import read_calculation
+from freebody.questions.grammar import read_calculation
 from freebody.questions.small_motion import OfSmallMotion
 
 if TYPE_CHECKING:

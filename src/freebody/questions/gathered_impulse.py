@@ -13,7 +13,7 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import TIME, Dimension
 from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
 from freebody.questions.course import Counted
-from freebody.questions.reading import read_quantity
+from freebody.questions.grammar import read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -22,8 +22,8 @@ from freebody.questions.arithmetic import (
     read_calculated,
 )
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.grammar import read_calculation, read_quantity
 from freebody.questions.loads import LoadForce, Power
-from freebody.questions.reading import read_calculation, read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -18,7 +18,7 @@ from freebody.measures.base import Measure
 from freebody.model.elements import RATE
 from freebody.model.phrases import measure_of
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
-from freebody.questions.reading import read_quantity
+from freebody.questions.grammar import read_quantity
 from freebody.questions.turned_round import ValueFor
 
 if TYPE_CHECKING:

@@ -17,7 +17,7 @@ from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimen
 from freebody.measures.angle import Angle
 from freebody.model.noting import did_you_mean
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
-from freebody.questions.reading import read_quantity
+from freebody.questions.grammar import read_quantity
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
