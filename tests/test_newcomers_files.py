@@ -321,3 +321,22 @@ def test_every_short_form_that_a_message_names_is_a_section(word: str) -> None:
     with pytest.raises(fb.FreebodyError) as raised:
         fb.System.from_text(f"{word}: {{strange_word: 1 m}}\n")
     assert "no short form" not in str(raised.value)
+
+
+ROOF = """
+truss:
+  joints: {A: [0, 0], B: [3 m, 0], C: [6 m, 0], D: [3 m, 2 m]}
+  members: [AB, BC, AD, CD, BD]
+  supports: {A: pin, C: roller}
+  loads: {D: [2 kN, -6 kN], B: [0, -3 kN]}
+"""
+
+
+def test_a_truss_is_a_section_of_its_own() -> None:
+    """About A: 6 C = 3*6 + 3*3 + 2*2; at A, AD = -(9 - C) sqrt(13)/2; BD carries the load at B."""
+    reaction, rafter, post = fb.System.from_text(ROOF).solve(["reaction at C", "force in AD", "force in BD"]).answers
+    assert reaction.value == pytest.approx((0, 31e3 / 6))
+    assert rafter.value == pytest.approx(-(9e3 - 31e3 / 6) * 13**0.5 / 2)
+    assert post.value == pytest.approx(3e3)
+    with pytest.raises(fb.ModelError, match=r"truss\.members\.4: BX is no member"):
+        fb.System.from_text(ROOF.replace("BD]", "BX]"))

@@ -4,6 +4,8 @@
     members: {AB: [A, B], AC: [A, C], BC: [B, C]}      also [[A, B], ...] or [AB, AC, BC]
     supports: {A: pin, B: roller}
 
+    truss: {nodes: ..., members: ..., supports: ..., loads: ...}      the same
+
 Nodes are massless particles where they are put and members links between them, in the plane and in space; a pinned node
 is held by a pin (in space a spherical joint) with the name of the node, a roller moves along `right` where it says no
 other direction.
@@ -24,13 +26,15 @@ from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, W
 _MEMBERS = ("members", "elements", "bars", "struts", "rods", "truss_members", "staebe")
 _PLACES = ("nodes", "joints", "points", "knoten")
 _MEMBERS_ALONE, _NODES_ALONE = ("members", "truss_members", "staebe"), ("nodes", "knoten")  # of nothing else
+_TRUSSES = ("truss", "fachwerk", "framework")
 _NUMBERED = "member_"  # before a number that is the name of one
 _PINNED = ("pin", "pinned", "hinge", "fixed", "festlager", "a_lager")
 _ROLLER = ("roller", "loslager", "b_lager", "slider")
 _SUPPORTS = ("supports", "lager", "auflager")
 _NODE, _ENDS, _WAY = ("at", "node", "point", "joint"), ("nodes", "between", "from", "to"), ("along", "direction")
 VOCABULARY = Vocabulary(
-    (*_MEMBERS, *_PLACES, *_SUPPORTS), (*_PINNED, *_ROLLER, *_NODE, *_ENDS, *_WAY, "type", "name", "x", "y", "z")
+    (*_TRUSSES, *_MEMBERS, *_PLACES, *_SUPPORTS),
+    (*_PINNED, *_ROLLER, *_NODE, *_ENDS, *_WAY, "type", "name", "x", "y", "z"),
 )
 
 
@@ -38,6 +42,7 @@ def with_truss(w: Written) -> tuple[Entry, dict[Place, Place], Message] | None:
     """The data with bodies and connections for a truss, where what stands in the file, and what is taken for granted;
     None where it has none, or where what is called so is something else. Raises ModelError of a truss that cannot be
     read."""
+    _lift(w)
     data = w.data
     members_key = next((key for key in data if folded(key) in _MEMBERS), None)
     places_key = next((key for key in data if folded(key) in _PLACES and _places(data.get(key))), None)
@@ -53,14 +58,18 @@ def with_truss(w: Written) -> tuple[Entry, dict[Place, Place], Message] | None:
         return None
     connections: Entry = {name: {"link": [first, second]} for name, (_step, first, second) in members.items()}
     steps = places if isinstance(data[places_key], dict) else range(len(places))
-    moved: dict[Place, Place] = {("bodies", name): (places_key, k) for name, k in zip(places, steps, strict=True)}
-    moved |= {("connections", name): (members_key, step) for name, (step, _first, _second) in members.items()}
+    moved: dict[Place, Place] = {
+        ("bodies", name): (*w.stood((places_key,)), k) for name, k in zip(places, steps, strict=True)
+    }
+    moved |= {
+        ("connections", name): (*w.stood((members_key,)), step) for name, (step, _first, _second) in members.items()
+    }
     for node, said in cast("Entry", supports).items():
         held = _support(node, said, space=w.space)
         if held is None or node in connections:
             return None
         connections[node] = held
-        moved["connections", node] = (supports_key, node)
+        moved["connections", node] = (*w.stood((supports_key,)), node)
     there = data.get("connections") or {}
     if not isinstance(there, dict) or connections.keys() & cast("Entry", there).keys():
         return None
@@ -68,6 +77,15 @@ def with_truss(w: Written) -> tuple[Entry, dict[Place, Place], Message] | None:
     new = {key: value for key, value in data.items() if key not in (members_key, places_key, supports_key)}
     told = Message("the members are hinged at the nodes, so that each carries a force along itself only")
     return {**new, "bodies": bodies, "connections": {**cast("Entry", there), **connections}}, moved, told
+
+
+def _lift(w: Written) -> None:
+    """Puts what stands inside a section `truss` beside it."""
+    for key in [key for key, given in w.data.items() if folded(key) in _TRUSSES and isinstance(given, dict)]:
+        inside = cast("Entry", w.data[key])
+        if any(folded(name) in _MEMBERS for name in inside) and not inside.keys() & w.data.keys():
+            w.data = {**{name: value for name, value in w.data.items() if name != key}, **inside}
+            w.moved |= {(name,): (key, name) for name in inside}
 
 
 def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supports: Any) -> None:
@@ -84,7 +102,7 @@ def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supp
                 nodes=nodes,
                 **dict(zip(("first", "second"), [*places, "A", "B"], strict=False)),
             )
-            problems.append(Problem((members_key, step), told))
+            problems.append(Problem(w.stood((members_key, step)), told))
         elif isinstance(entry, dict) and (more := [key for key in entry if key not in (*_ENDS, *SAYS_NAME)]):
             told = Message(
                 "a member of a truss is a massless link and has no {key}: leave it out, and put a weight on its nodes "
@@ -92,11 +110,11 @@ def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supp
                 key=in_turn([*map(str, more)]),
                 node=nodes.partition(",")[0],
             )
-            problems.append(Problem((members_key, step, more[0]), told))
+            problems.append(Problem(w.stood((members_key, step, more[0])), told))
     for node, said in cast("Entry", supports).items() if isinstance(supports, dict) else ():
         if node not in places:
             told = Message("there is no node {node}. Nodes: {nodes}", node=node, nodes=nodes)
-            problems.append(Problem((supports_key, node), told))
+            problems.append(Problem(w.stood((supports_key, node)), told))
         fields = cast("Entry", said) if isinstance(said, dict) else {"type": said}
         word = fields.get("type")
         held = [*fields] if word is None and len(fields) == 1 else [word]
@@ -111,10 +129,10 @@ def _refuse(w: Written, members_key: str, places: Entry, supports_key: str, supp
                 key=in_turn([*map(str, more)]),
                 node=node,
             )
-            problems.append(Problem((supports_key, node), told))
+            problems.append(Problem(w.stood((supports_key, node)), told))
         elif isinstance(word, str) and folded(word) not in (*_PINNED, *_ROLLER):
             told = Message("a truss has no support {kind}: supports are pin and roller", kind=word)
-            problems.append(Problem((supports_key, node), told))
+            problems.append(Problem(w.stood((supports_key, node)), told))
     if problems:
         raise ModelError(problems)
 
