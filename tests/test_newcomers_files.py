@@ -340,3 +340,26 @@ def test_a_truss_is_a_section_of_its_own() -> None:
     assert post.value == pytest.approx(3e3)
     with pytest.raises(fb.ModelError, match=r"truss\.members\.4: BX is no member"):
         fb.System.from_text(ROOF.replace("BD]", "BX]"))
+
+
+HOIST = """
+parameters: {m: 200 kg, R: 0.2 m, i: 30, J: 0.05 kg m^2, M: 15 N m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], Q: [2 m, 0]}}
+bodies: {drum: {disk: {radius: R}}, rotor: {body: {mass: 10 kg, inertia: J}}, load: {particle: {mass: m}}}
+measures: {phi: angle of rotor, psi: angle of drum, h: height of load}
+connections:
+  b1: {pin: [ground.O, drum.center]}
+  b2: {pin: [ground.Q, rotor.center]}
+  box: BOX
+  rope: {string: {from: wound on drum at right, to: load}}
+loads: {w: {gravity: g}, motor: {torque: {on: rotor, magnitude: M}}}
+"""
+
+
+def test_gears_with_a_ratio_alone_are_a_constraint() -> None:
+    """M i - m g R = (m R^2 + J i^2) psi''."""
+    with pytest.raises(fb.ModelError, match=r"constraint: phi - 30\*psi"):
+        fb.System.from_text(HOIST.replace("BOX", "{transmission: {first: rotor, second: drum, ratio: i}}"))
+    box = fb.System.from_text(HOIST.replace("BOX", "{constraint: phi - i*psi}"))
+    (answer,) = box.solve("angular acceleration of drum").answers
+    assert answer.value == pytest.approx((15 * 30 - 200 * 9.81 * 0.2) / (200 * 0.2**2 + 0.05 * 30**2))

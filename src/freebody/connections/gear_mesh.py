@@ -41,7 +41,24 @@ class GearMesh(SharedByCopies, kind="gear_mesh"):
     drives: of the power that goes through the mesh, as seen from the line of centres, so much comes out."""
 
     called: ClassVar[tuple[str, ...]] = ("mesh", "gear")
-    also: ClassVar[tuple[str, ...]] = ("gear", "gears", "mesh", "Zahneingriff", "Eingriff")
+    also: ClassVar[tuple[str, ...]] = (
+        "gear",
+        "gears",
+        "mesh",
+        "transmission",
+        "gearbox",
+        "gear_train",
+        "Zahneingriff",
+        "Eingriff",
+        "Getriebe",
+    )
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        "ratio": Message(
+            "gears of which the ratio alone is known, as in a box, are a constraint of measured angles: measures: "
+            "{{phi: angle of rotor, psi: angle of drum}}, connections: {{gears: {{constraint: phi - 30*psi}}}}; else "
+            "give both a radius"
+        )
+    }
 
     first: str
     second: str
