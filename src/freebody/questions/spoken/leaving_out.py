@@ -29,6 +29,17 @@ def without_load(names: Names, text: str) -> tuple[str, str] | None:
     return None
 
 
+def without_several(names: Names, text: str) -> Message | None:
+    """What is said of a text that leaves out several loads at once."""
+    for language in languages():
+        several = contexts(language)["left_out"].format(name=rf"{NAME}(?:(?:, ?| and | und | or | oder ){NAME})+")
+        for found in re.finditer(several, text, re.IGNORECASE):
+            loads = [loads_by(names, word) for word in re.split(r", ?| and | und | or | oder ", found["load"])]
+            if all(len(one) == 1 for one in loads):
+                return Message("one load at a time is left out: without {load}", load=loads[0][0])
+    return None
+
+
 def holds_without_which(names: Names, text: str) -> Message | None:
     """What is said of a text that asks whether what rests under several forces locks itself."""
     pushes = rubbing.chosen_pushes(names)
