@@ -64,7 +64,7 @@ def test_a_pendulum_has_a_weight() -> None:
         (CAM.replace("KIND", "type: square"), "a follower is flat, edge or roller, not square"),
         (CAM.replace("KIND", "type: roller"), "a roller has a radius: {type: roller, roller_radius: 10 mm}"),
         (HOOP.replace("angle", "colour: red, angle"), "a bead on a hoop has no colour; it has mass, angle"),
-        ("pendulum: {length: 2 m, mass: 1 m}\n", "mass: 1 m has not the unit of mass"),
+        ("pendulum: {length: 2 m, mass: 1 m}\n", "mass must be a mass (kg), but is given in m: write mass: 1 kg"),
         ("pendulum: {length: 2 m, damping: 1 N m s}\n", "a pendulum has no damping; it has length, mass, angle"),
     ],
 )

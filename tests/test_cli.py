@@ -102,7 +102,7 @@ questions: [{find: aceleration of left}, {find: tension of rop}]
         "there is no body puley. Did you mean pulley?",
         "Did you mean string?",
         "must be an acceleration (m/s^2)",
-        "Did you mean: drop of POINT",
+        "Did you mean: drop of left",
         "there is no connection rop",
     ):
         assert expected in done.stderr, expected

@@ -98,7 +98,8 @@ def _problems(data: Any) -> tuple[Problem, ...]:
 def test_a_mistake_in_an_element_is_one_message_at_its_place(kind: str) -> None:
     data, place = EXAMPLES[kind]
     for what, changed in mistakes(data, place):
-        problems = _problems(changed)
+        # the example of a mesh stands in no file beside which its own could be
+        problems = [one for one in _problems(changed) if "is looked for beside the model" not in one.text(None)]
         told = [problem.text(None) for problem in problems]
         if not told:
             assert not what.endswith((" misspelt", " another unit", " a word", " names no body")), what

@@ -175,9 +175,9 @@ def test_a_symbol_is_explained_before_a_sentence_names_it() -> None:
     assert "phi_support" in known or "support_angle" in known
 
 
-def test_a_name_that_begins_a_sentence_has_a_capital() -> None:
+def test_a_name_that_begins_a_sentence_keeps_its_spelling() -> None:
     axes = Sentence("space.axes_body", {"body": "drive"})
-    for language, begin in (("en", "Drive turns about"), ("de", "Drive dreht sich")):
+    for language, begin in (("en", "drive turns about"), ("de", "drive dreht sich")):
         said = Catalogue(language).plain(Sentence("space.one_axis", {"body": "drive", "axes": axes}))
         assert said.startswith(begin)
         assert said.rstrip(":").endswith("drive")

@@ -233,14 +233,6 @@ connections: {link: {link: [ground.A, p]}, again: {stop: {measure: angle between
         "draw",
         "again.min",
     ),
-    "a ratio of a vector": (
-        """
-bodies: {p: {disk: {mass: 1 kg, radius: 1 m}}}
-questions: [{find: ratio of velocity of p to kinetic energy of p}]
-""",
-        "solve",
-        "a vector stands where one calculates with numbers",
-    ),
     "a ratio to what is zero": (
         """
 bodies: {p: {disk: {mass: 1 kg, radius: 1 m}}, q: {disk: {mass: 1 kg, radius: 1 m}, fixed: true}}

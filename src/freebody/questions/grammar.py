@@ -176,7 +176,7 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
 
 def _is_vector(names: Names, phrase: str) -> bool:
     """Whether a phrase asks for something that has components."""
-    with names.quietly():
+    with names.quietly(), names.one_number():
         quantity = read_quantity(names, phrase, ("find",))
     return quantity is not None and is_vector(quantity, space=names.space)
 

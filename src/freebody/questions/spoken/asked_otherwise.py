@@ -27,7 +27,7 @@ from freebody.questions.spoken.pointing import pointing
 from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.unread import AskedT, Unread, read_quietly
 from freebody.questions.spoken.ways import with_own_letters
-from freebody.questions.spoken.weights import presses_upright, share_of_weight, without_gs
+from freebody.questions.spoken.weights import presses_upright, share_among_others, share_of_weight, without_gs
 from freebody.questions.spoken.words import written_out
 
 if TYPE_CHECKING:
@@ -153,6 +153,7 @@ FORMS: tuple[Form, ...] = (
     _for_good,
     _in_gs,
     _share_of_weight,
+    lambda a: a.refused(share_among_others(a.names, a.text)),
     _balancing,
     _as_force,
     _with_an_equilibrium,

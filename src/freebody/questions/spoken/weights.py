@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import ONE, Expr, free_symbols
 from freebody.language.notation import to_python
+from freebody.language.sentences import Message
 from freebody.language.units import ACCELERATION, DIMENSIONLESS
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
@@ -55,14 +56,33 @@ def share_of_weight(names: Names, text: str) -> tuple[str, str] | None:
     """A question after the share of the weight that something carries: the force there, and the weight of the only body
     that has one; None where nothing says so."""
     asked = text.strip().rstrip("?!. ")
-    shares = ((language, _pattern(language, key).match(asked)) for language in languages() for key in _SHARES)
-    language, found = next(((own, one) for own, one in shares if one is not None), ("", None))
+    language, found = _share_said(asked)
     weights = [load.law for load in names.applied_loads if "gravity" in names.called.get(load.load, ())]
     if found is None or len(weights) != 1 or not _alone_is_borne(names):
         return None
     if _pattern(language, "share_of_load").search(asked[: found.start("on")]) and len(names.applied_loads) > 1:
         return None  # which load that is
     return contexts(language)["share_carried"].format(on=found["on"]), _product(names, "1", weights[0])
+
+
+def share_among_others(names: Names, text: str) -> Message | None:
+    """What is said of a text that asks for a share of the weight where other loads are borne as well."""
+    asked = text.strip().rstrip("?!. ")
+    language, found = _share_said(asked)
+    if found is None or _pattern(language, "share_of_load").search(asked[: found.start("on")]):
+        return None
+    if not any("gravity" in names.called.get(load.load, ()) for load in names.applied_loads) or _alone_is_borne(names):
+        return None
+    return Message(
+        "cannot read '{text}': other loads than the weight are borne there, too; ask for the ratio of two forces",
+        text=text,
+    )
+
+
+def _share_said(asked: str) -> tuple[str, re.Match[str] | None]:
+    """The language in which a share is asked for, and how; of none nothing."""
+    shares = ((language, _pattern(language, key).match(asked)) for language in languages() for key in _SHARES)
+    return next(((own, one) for own, one in shares if one is not None), ("", None))
 
 
 def presses_upright(names: Names, words: str) -> bool:
