@@ -712,3 +712,17 @@ def test_a_contact_in_which_nothing_presses_is_told() -> None:
     assert weight in told
     assert warned(f"{text}{weight}\n") == []
     assert warned(text.replace("2 kg}", "2 kg}, velocity: [1 m/s, 0]")) == []
+
+
+def test_a_pull_at_a_rim_that_goes_round_is_told() -> None:
+    text = (
+        "parameters: {m: 8 kg, R: 0.3 m, r: 0.12 m, F: 20 N, g: 9.81 m/s^2}\nground: {lines: {floor: {along: right}}}\n"
+        "bodies: {spool: {disk: {mass: m, radius: R}, at: [0, R], points: {rim: [0, -r]}}}\n"
+        "connections: {rolls: {rolling: {body: spool, on: floor}}}\n"
+        "loads: {w: {gravity: g}, pull: {force: {at: spool.POINT, along: WAY, magnitude: F}}}\n"
+    )
+    ((kind, told),) = warned(text.replace("POINT", "rim").replace("WAY", "right"))
+    assert kind == "pulled at the rim"
+    assert "wound on spool radius r at bottom" in told
+    assert warned(text.replace("POINT", "center").replace("WAY", "right")) == []
+    assert warned(text.replace("POINT", "rim").replace("WAY", "spool.x")) == []

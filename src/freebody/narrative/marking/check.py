@@ -79,7 +79,12 @@ def check(
     if free_body is not None:
         question = f"free body of {free_body}"
     if question is None or answer is None:
-        raise InputError(Message("give --question or --free-body, and --answer; or --working"))
+        raise InputError(
+            Message(
+                "to judge an answer give --question or --free-body, and --answer; or --working. What is wrong in a "
+                "model is told by every other command, as freebody mobility MODEL"
+            )
+        )
     policy = _policy(form, unit, tolerance, gravity)
     if question.strip().lower() in EQUATIONS:
         found = equations_of(system).judge(answer[:_LONGEST])
