@@ -9,8 +9,9 @@ from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, Expr, Symbol, ev
 from freebody.language.notation import Stated
 from freebody.language.raising import raised
 from freebody.language.sentences import Argument, Message, Sentence
-from freebody.language.units import DIMENSIONLESS, TIME, Dimension
+from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.narrative.context import Context
+from freebody.narrative.lines.glossary import unit_of_rate
 from freebody.narrative.lines.script import ready
 from freebody.tolerances import ROUND_OFF
 
@@ -65,5 +66,5 @@ def number_with_unit(value: Expr, dimension: Dimension, order: int = 0) -> Argum
     has none."""
     if free_symbols(value) or value == ZERO or (dimension == DIMENSIONLESS and not order):
         return value
-    unit = "rad/s" if dimension == DIMENSIONLESS else raised(str(dimension / TIME**order))
+    unit = unit_of_rate(dimension, order)
     return Sentence("result.number", {"value": f"@{float(evaluate(value, {})):.6g}", "unit": f"@{unit}"})

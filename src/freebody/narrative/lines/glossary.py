@@ -31,8 +31,10 @@ from freebody.language.expression import (
     free_symbols,
     rate_key,
 )
+from freebody.language.notation.typeset import dotted
+from freebody.language.raising import raised
 from freebody.language.sentences import Argument, Sentence
-from freebody.language.units import FORCE
+from freebody.language.units import DIMENSIONLESS, FORCE, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm, RigidBody
 from freebody.narrative.lines.differences import SymbolValues, value_of
@@ -67,6 +69,13 @@ class Meaning:
         if self.what.key != ASKED:
             return False
         return new.what.key != ASKED or bool(self.what.args and new.what.args and self.what != new.what)
+
+
+def unit_of_rate(dimension: Dimension, order: int) -> str:
+    """The unit in SI of a measure of a dimension, or of its rate of an order; an angle has none."""
+    if dimension == DIMENSIONLESS:
+        return raised(f"rad/s^{order}".removesuffix("^1")) if order else ""
+    return raised(str(dimension / TIME**order))
 
 
 class World(SymbolValues):
@@ -289,6 +298,21 @@ class Glossary:
             if measure is not None:
                 found.setdefault(c.name, measure)
         return found
+
+    def unit_of(self, symbol: Side) -> str:
+        """The unit in SI of what a symbol or its rate stands for, exponents raised; none for an angle, a pure number
+        and what has no name."""
+        if not isinstance(symbol, Symbol | Call) or (isinstance(symbol, Call) and symbol.function != "rate"):
+            return ""
+        name, order = dotted(symbol)
+        if name in self.measures:
+            return unit_of_rate(self.measures[name].dimension, order)
+        if order:
+            return ""
+        if name == "t":
+            return "s"
+        unit = self.meanings[name].unit if name in self.meanings else ""
+        return "" if unit in ("1", "rad") else raised(unit)
 
     @cached_property
     def turns(self) -> dict[str, NonholonomicForm]:

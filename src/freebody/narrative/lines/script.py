@@ -15,7 +15,7 @@ from itertools import pairwise, takewhile
 from typing import Literal
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Symbol, free_symbols
+from freebody.language.expression import ZERO, Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
@@ -91,6 +91,11 @@ class Diagram:
     caption: Sentence
     told: tuple[str, ...] = ()  # rows that never act, and of which the equations say so
     turning: tuple[str, ...] = ()  # angles whose rates are drawn as vectors along their axes
+
+
+def _is_number(side: Side) -> bool:
+    """Whether it is a number that has a unit if what it is the value of has one: zero needs none."""
+    return isinstance(side, Expr) and side != ZERO and not free_symbols(side)
 
 
 def ready(text: str) -> Argument:
@@ -182,6 +187,8 @@ class Script:
         self._check(sides, relations, when)
         sides, relations = _said_once(sides, relations)
         self._introduce_constants(sides)
+        if not unit and _is_number(sides[-1]):
+            unit = self.glossary.unit_of(sides[0])
         number, self._number = self._number, self._number + 1
         reason = Sentence(why, args or {}) if why else None
         known = self.glossary.meanings

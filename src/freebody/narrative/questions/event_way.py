@@ -12,7 +12,7 @@ from freebody.language.expression import Call, Expr, Symbol, add, children, mult
 from freebody.language.sentences import Argument, Message
 from freebody.measures.base import Measure
 from freebody.narrative.context import Context
-from freebody.narrative.lines.naming import asked_entry, asked_symbol
+from freebody.narrative.lines.naming import asked_entry, asked_symbol, side_of, written
 from freebody.narrative.lines.script import Script, names_in
 from freebody.narrative.principles.formal import elements
 from freebody.narrative.principles.loops import closed_loops
@@ -119,43 +119,42 @@ def _tell_asked(q: Quantity, way: AtEvent, lines: Sequence[int]) -> None:
     found = by_momentum(context, script, unknowns) if unknowns else {}
     general = [f.follow(p, {u: v for u, (v, _line) in found.items()}) for p in parts]
     state = SymbolicState(model, context.setup.motion.known_at(reached))
-    there = [f.lowest_terms(state.here(g)) for g in general]
-    if not unknowns and len(there) == 1:  # as it is found there: a root of a square then has a sign
-        there = [f.lowest_terms(f.element(q.value(context.system, state)))]
-    if len(there) != 1:
-        raise CannotAnswer(Message("a vector at an event is told by its components"))
-    shown, last = tidy(there[0]), script.next_number - 1
+    there = tuple(f.lowest_terms(state.here(g)) for g in general)
+    if not unknowns:  # as it is found there: a root of a square then has a sign
+        there = elements(f, q.value(context.system, state))
+    n, shown, last = len(there), written(there), script.next_number - 1
     if isinstance(way, EventWay) and way.by_place:
         lines = way.by_place
     else:
-        lines = _standing_in(script, tidy(general[0]), lines)
+        lines = _standing_in(script, [tidy(g) for g in general], lines)
     uses = tuple(dict.fromkeys((*lines, *(line for _v, line in found.values()))))
     with script.stage("stage.there", "hint.there"):
         own = {f.variable(k.index): Symbol(k.name) for k in model.coordinates}
         own_rates = {f.variable(k.speed): rates_of(k.name, 1) for k in model.coordinates}
-        if (known := (own | own_rates).get(general[0])) is not None:
-            symbol: Expr = known
+        if n == 1 and (known := (own | own_rates).get(general[0])) is not None:
+            called: Expr | tuple[Expr, ...] = known
         else:
-            symbol = asked_symbol(context, question)
+            symbol = asked_symbol(context, question, n)
+            called = side_of(symbol, n)
             if (reason := question.quantity.reason) is not None:
                 script.say(reason.key, **reason.args)
-            script.add(asked_entry(symbol, question))
-            before = tidy(f.lowest_terms(general[0]))
-            is_found = any((parts[0] - f.variable(u)).is_zero() for u in found)
+            script.add(asked_entry(symbol, question, n=n))
+            before = written([f.lowest_terms(g) for g in general])
+            is_found = n == 1 and any((parts[0] - f.variable(u)).is_zero() for u in found)
             if before != shown and not is_found:
                 own = tuple(dict.fromkeys(line for _v, line in found.values()))
-                unsolved = (tidy(parts[0]),) if own else ()
+                unsolved = (written(parts),) if own else ()
                 why = "course.general" if own else "course.general_state"
-                last = script.line(symbol, *unsolved, before, why=why, args={"lines": own}, uses=own, when="event")
+                last = script.line(called, *unsolved, before, why=why, args={"lines": own}, uses=own, when="event")
                 uses = (*lines, last)
-        script.line(symbol, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
-    _ends_in_answer(way, there[0])
+        script.line(called, shown, why="course.there", args={"lines": uses}, uses=uses, when="event")
+    _ends_in_answer(way, there)
 
 
-def _standing_in(script: Script, value: Expr, lines: Sequence[int]) -> tuple[int, ...]:
-    """Of the lines of a motion those for what stands in a formula, and for the time where it stands in them; all of
+def _standing_in(script: Script, formulas: Sequence[Expr], lines: Sequence[int]) -> tuple[int, ...]:
+    """Of the lines of a motion those for what stands in formulas, and for the time where it stands in them; all of
     them, where none is for it."""
-    inside = _variables(value)
+    inside = set[Expr]().union(*map(_variables, formulas))
     meant = [line for line in lines_of(script.stages) if line.number in lines and line.sides[0] in inside]
     if any(TIME.name in names_in(line.sides[-1]) for line in meant):
         meant += [line for line in lines_of(script.stages) if line.sides[0] == TIME and line not in meant][-1:]
@@ -184,7 +183,7 @@ def _travelled(q: Travelled, way: AtEvent, lines: Sequence[int]) -> None:
 def _of_measure(way: AtEvent, measure: Measure, lines: Sequence[int]) -> tuple[int, ...]:
     """The lines of what a measure depends on."""
     f, state = way.context.setup.model.field, way.context.setup.state
-    return _standing_in(way.script, tidy(f.lowest_terms(f.element(state.value(measure)))), lines)
+    return _standing_in(way.script, [tidy(f.lowest_terms(f.element(state.value(measure))))], lines)
 
 
 @_tell_asked.register(PathLength)
@@ -274,9 +273,8 @@ def _tell_work(way: AtEvent, load: str, sign: int, lines: Sequence[int]) -> None
             script.line(symbol, total, why="course.there", args={"lines": (last,)}, uses=(last,), when="event")
 
 
-def _ends_in_answer(way: AtEvent, found: Ratio) -> None:
-
-    f, reached, setup = found.field, way.reached, way.context.setup
+def _ends_in_answer(way: AtEvent, found: Sequence[Ratio]) -> None:
+    f, reached, setup = found[0].field, way.reached, way.context.setup
     values = setup.motion.known_at(reached)
     wanted = way.question.quantity.value(setup.system, SymbolicState(setup.model, values))
-    same_answer([found], [f.lowest_terms(f.element(wanted))])
+    same_answer(found, elements(f, wanted))
