@@ -43,6 +43,12 @@ def tell_event(
     watch, zero = leg.first.watch, leg.first.zero
     course = leg.phase.course
     is_end = leg is way.legs[-1] and way.piece.after is None and way.question.quantity.is_of_event  # the time alone
+    if is_endless(way, leg):
+        if not isinstance(course, UniformMotion):
+            raise CannotAnswer(Message("this derivation does not solve this law of motion for the time of an event"))
+        with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
+            script.say("event.endless")
+        return {f"{name}'": line for name, line in told.velocities.items() if line}
     if watch.kind == BOUNCES_END:
         with script.stage("stage.phase_event", "hint.bounces_end", phase=f"@{leg.number}"):
             found = tell_flights(script, way, leg, told)
@@ -64,6 +70,13 @@ def tell_event(
                     Message("this derivation does not solve this law of motion for the time of an event")
                 )
             return found if is_end else {**found, **_state(script, way, leg, told, found)}
+
+
+def is_endless(way: PhaseSequence, leg: PhaseSegment) -> bool:
+    """Whether nothing ends a phase: it is asked for what remains as the time grows."""
+    assert leg.first is not None
+    event = _event_of(way, leg, leg.first.watch)
+    return isinstance(event, Clock) and event.time is None
 
 
 def at_border(phase: Phase, watch: PhaseWatch) -> str:

@@ -12,7 +12,7 @@ from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
-from freebody.narrative.contact.phase_event import at_border, said_event, tell_event
+from freebody.narrative.contact.phase_event import at_border, is_endless, said_event, tell_event
 from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
@@ -154,7 +154,7 @@ def _overview(script: Script, way: PhaseSequence) -> None:
 
 
 def _end_words(way: PhaseSequence, leg: PhaseSegment) -> Sentence:
-    if leg.first is None:
+    if leg.first is None or is_endless(way, leg):
         return Sentence("phases.lasts")
     watch = leg.first.watch
     what: Argument = said_event(way, leg, watch) if watch.kind == "is reached" else f"@{watch.connection}"

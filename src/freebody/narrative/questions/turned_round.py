@@ -9,7 +9,9 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
+from freebody.language.notation import Stated
 from freebody.language.sentences import Message, Sentence
+from freebody.language.truth import is_true
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.first_turn import at_first_turn
@@ -31,6 +33,7 @@ from freebody.study.answering.witness import patience
 from freebody.symbolic.limits import derivative_by
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
+from freebody.tolerances import ROUND_OFF
 
 _ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
 _BESIDE = 1e-4  # of its own value: a parameter that is near its limit
@@ -75,7 +78,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         return [*stages, *script.stages]
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
-    glossary = there.glossary.where(lambda world: has_values(world, values))
+    glossary = there.glossary.where(lambda world: has_values(world, values) and _holds(world, answer))
     script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
@@ -92,6 +95,12 @@ def _as_asked_before(system: System, question: Question, quantity: Wanted) -> tu
         if same == (quantity.of, question.event, question.transition, question.at_start):
             return q.id, q.text
     return "q1", quantity.text
+
+
+def _holds(world: World, answer: Answer) -> bool:
+    """Whether the answer is the one there: elsewhere another one is, as where a contact slips."""
+    stated = [condition.expression for condition in answer.conditions if isinstance(condition, Stated)]
+    return all(is_true(each, world.draw.values, round_off=ROUND_OFF) is not False for each in stated)
 
 
 def _values_of(answer: Answer) -> tuple[Expr, ...]:

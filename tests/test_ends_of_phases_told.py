@@ -1,0 +1,51 @@
+"""Derivations of what remains as the time grows, and of values that hold while a contact does what it does."""
+
+from __future__ import annotations
+
+import freebody as fb
+
+BALLS = """
+parameters: {m: 0.2 kg, r: 0.03 m, v0: 2 m/s, mu: 0.2, b: 0.5 m, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}}
+bodies:
+  A: {sphere: {mass: m, radius: r}, at: [0, r], velocity: [v0, 0], angular_velocity: -v0/r}
+  B: {sphere: {mass: m, radius: r}, at: [b, r]}
+connections:
+  cA: {contact: {between: [A, table], friction: mu}}
+  cB: {contact: {between: [B, table], friction: mu}}
+  hit: {contact: {between: [A, B], restitution: 1}}
+loads: {weight: {gravity: g}}
+measures: {xA: x of A, xB: x of B}
+"""
+SPOOL = """
+parameters: {m: 8 kg, J: 0.2 kg m^2, R: 0.25 m, r: 0.1 m, P: 25 N, beta: 35 deg, mu: 0.4, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {spool: {body: {mass: m, inertia: J, radius: R}}}
+connections: {floor: {contact: {between: [spool, floor], friction: mu}}}
+loads:
+  weight: {gravity: g}
+  pull: {force: {at: spool, along: beta, magnitude: P}}
+  moment: {torque: {on: spool, magnitude: P*r}}
+measures: {x: x of spool}
+"""
+
+
+def told(model: str, question: str) -> str:
+    explanation = fb.System.from_text(model).explain(question)
+    (derivation,) = explanation.derivations
+    assert not derivation.reason
+    return explanation.to_text()
+
+
+def test_a_velocity_that_remains() -> None:
+    """Equal balls exchange their velocities, not their spins: B starts to slide with v0, and rolls with 5 v0/7."""
+    page = told(BALLS, "final velocity of B")
+    assert "Nothing ends this phase" in page
+    assert "5⋅v₀" in page.rpartition("Answer")[2]
+
+
+def test_a_value_that_holds_while_nothing_slips() -> None:
+    """A spool rests at cos beta = r/R, where its cord points to the contact, while friction is enough."""
+    page = told(SPOOL, "value of beta for which acceleration of x = 0")
+    assert "β_req" in page
+    assert "cos" in page
