@@ -2,12 +2,14 @@
 
 from __future__ import annotations
 
+import math
 from pathlib import Path
 
 import pytest
 from tests.conftest import Agree
 
 import freebody as fb
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.notation import to_text
 from freebody.narrative.sharing import lines_of
 
@@ -109,6 +111,53 @@ def test_nothing_is_said_of_the_one_place_that_stood_for_all() -> None:
     [answer] = system.solve("motor torque as a function of theta").answers
     assert answer.expression is not None
     assert not any("given numbers" in note for note in answer.notes)
+
+
+OVER_THE_EDGE = """
+parameters: {m: 0.4 kg, L: 0.8 m, a: 0.1 m, mu: 0.5, g: 9.81 m/s^2}
+ground: {points: {edge: [0, 0]}}
+bodies: {rod: {rod: {mass: m, length: L}, at: [a, 0], angle: 0}}
+connections: {edge: {contact: {between: [rod, ground.edge], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of rod clockwise}
+"""
+
+
+def test_a_function_up_to_where_something_slips_is_not_called_invalid() -> None:
+    """A rod that tips over an edge (Meriam, Dynamics, sec. 6/4): with k^2 = L^2/12 + a^2 and omega^2 = 2 g a
+    sin theta/k^2
+    friction is m g sin theta + m a omega^2, up to tan theta = mu (L^2/12)/(L^2/12 + 3 a^2)."""
+    system = fb.System.from_text(OVER_THE_EDGE)
+    [answer] = system.solve("friction force of edge as a function of theta").answers
+    assert not any("Not valid" in note for note in answer.notes)
+    values = {"m": 0.4, "L": 0.8, "a": 0.1, "mu": 0.5, "g": 9.81, "theta": 0.2}
+    k2 = 0.8**2 / 12 + 0.1**2
+    assert isinstance(answer.expression, Expr)
+    found = evaluate(answer.expression, values, FLOAT_FUNCTIONS)
+    assert found == pytest.approx(-0.4 * 9.81 * math.sin(0.2) * (1 + 2 * 0.1**2 / k2), rel=1e-12)
+
+
+FALLING_POLE = """
+parameters: {m: 6 kg, L: 2 m, mu: 0.3, theta0: 1 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {pole: {rod: {mass: m, length: L}, at: {start: [0, 0]}, angle: 90 deg - theta0}}
+connections: {foot: {contact: {between: [pole.start, floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {theta: angle of pole from up clockwise}
+"""
+
+
+def test_what_follows_on_an_event_without_a_formula_is_a_function_of_the_pose_and_its_rates() -> None:
+    """A pole that falls over (Beer & Johnston, Dynamics, ch. 16): while the foot rests, theta'' = 3 g sin theta/(2 L)
+    about it, and N = m g - m (L/2) (theta'' sin theta + theta'^2 cos theta)."""
+    [answer] = fb.System.from_text(FALLING_POLE).solve("normal force of foot as a function of theta").answers
+    values = {"m": 6.0, "L": 2.0, "g": 9.81, "theta": 0.3, "rate(theta)": 0.7}
+    assert isinstance(answer.expression, Expr)
+    found = evaluate(answer.expression, values, FLOAT_FUNCTIONS)
+    acceleration = 3 * 9.81 * math.sin(0.3) / 4
+    expected = 6 * 9.81 - 6 * (acceleration * math.sin(0.3) + 0.7**2 * math.cos(0.3))
+    assert found == pytest.approx(expected, rel=1e-12)
+    assert any("when foot slips has no closed form" in note for note in answer.notes)
 
 
 def test_the_way_to_a_function_of_the_place_is_told_for_one_place_and_then_for_all() -> None:

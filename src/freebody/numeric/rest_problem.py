@@ -23,7 +23,12 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.split import Split, stack
 from freebody.tolerances import ROUND_OFF
 
-FREE_BESIDE = Message("beside what is driven something is free to move; rest is asked of what is held")
+
+class FreeBeside(CannotAnswer):
+    """Nothing tells how what is not held goes along with a drive."""
+
+    def __init__(self) -> None:
+        super().__init__(Message("beside what is driven something is free to move; rest is asked of what is held"))
 
 
 @dataclass(frozen=True)
@@ -116,7 +121,7 @@ def _led(reference: Reference, J: Array, driven: Array) -> Array:
     if (
         float(np.abs(split.null[moved]).max(initial=0.0)) > ROUND_OFF
     ):  # what only spins about its middle need not go along
-        raise CannotAnswer(FREE_BESIDE)
+        raise FreeBeside
     return found
 
 

@@ -158,7 +158,7 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}
     if degree == "greatest" and clause.has("ask", "far", "much") and not clause.has("quantity") and goes:
         found = lookup.angles if clause.has("verb", "turn") else lookup.places
-        most = lookup.farthest if clause.has("verb", "turn") else "greatest {1}".format
+        most = lookup.farthest if clause.has("verb", "turn") else lookup.farthest_way
         yield [most(names, measure) for measure in found(names, next((name for _, name in clause.names), ""))]
         return
     if clause.has("quantity", "transmission angle"):
@@ -203,7 +203,9 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         if degree == "greatest" and clause.has("quantity", "angle") and not whole:
             yield [lookup.farthest(names, angle) for angle in found(names, who) or hung]
             return
-        yield [f"{degree} {measure}{whole}" for measure in found(names, who) or hung]
+        is_way = degree == "greatest" and clause.all("quantity") == ["distance"]
+        most = [lookup.farthest_way(names, m) if is_way else f"{degree} {m}" for m in found(names, who) or hung]
+        yield [f"{measure}{whole}" for measure in most]
         return
     if clause.has("quantity", "horizontal range"):  # over what can be chosen: the angle
         angles = given.of_kind(names, "angle")
@@ -223,8 +225,11 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     if degree == "greatest" and (slowing := clause.all("quantity")) in (["deceleration"], ["angular deceleration"]):
         yield from of_motion.slowed_most(names, slowing[0], clause.without("quantity"))
         return
+    is_way = degree == "greatest" and clause.all("quantity") == ["displacement"]
     for group in _plain(names, clause):
-        yield [f"{degree} {text}{whole}" for text in group if JOINT not in text]
+        told = [text for text in group if JOINT not in text]
+        most = [lookup.farthest_way(names, text) if is_way else f"{degree} {text}" for text in told]
+        yield [f"{text}{whole}" for text in most]
 
 
 def _of_two(names: Names, clause: Clause) -> Groups:

@@ -150,6 +150,12 @@ def farthest(names: Names, angle: str) -> str:
     return f"greatest {'change of ' if angle in names.started_at_zero and is_at_rest else ''}{angle}"
 
 
+def farthest_way(names: Names, way: str) -> str:
+    """How far something gets along a way: from zero and at rest it may set out to either side."""
+    is_at_rest = names.start_rates.get(way, ZERO) == ZERO and not names.struck_at_start
+    return f"greatest |{way}|" if way in names.started_at_zero and is_at_rest else f"greatest {way}"
+
+
 def bearing(names: Names, name: str) -> Bearing | None:
     """The angle of a line that a measure is, which way round it may be counted."""
     measure = names.measures[name]

@@ -24,7 +24,7 @@ from freebody.questions.event import AnyPlace
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
-from freebody.study.answering.answer import Answer, refused
+from freebody.study.answering.answer import NOT_VALID, Answer, refused
 from freebody.study.answering.numbers import number_of
 from freebody.study.answering.solution import Solution
 from freebody.study.setup import Setup
@@ -137,6 +137,8 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
     def is_of_numbers(note: str) -> bool:
         """What is said of the one place that stood for all."""
         said = note.words if isinstance(note, Stated) else note
+        if note.startswith(NOT_VALID):  # of a condition that compares the place with others
+            return p in note or to_text(Symbol(p)) in note
         return isinstance(said, Message) and said.template.startswith("with the given numbers")
 
     assert answer.expression is not None

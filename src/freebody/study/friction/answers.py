@@ -15,7 +15,7 @@ from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message, in_turn
 from freebody.numeric.friction_limits import unresisted
-from freebody.numeric.rest_problem import rest_problem
+from freebody.numeric.rest_problem import FreeBeside, rest_problem
 from freebody.questions.base import Quantity
 from freebody.questions.happening import FailsFirst, Happening, Lasting
 from freebody.questions.reading import Question
@@ -79,16 +79,20 @@ def prepared(system: System) -> PreparedRest:
 
 
 def of_motion(system: System, question: Question) -> Question:
-    """That nothing slips, asked of the motion where some body is driven along a direction in which nothing resists, so
-    that there is no rest; else the question as it is."""
+    """That nothing slips, asked of the motion where some body is driven along a direction in which nothing resists, or
+    rolls beside a drive, so that there is no rest; else the question as it is."""
     q = question.quantity
     if not isinstance(q, RestLimit) or not q.is_of_slip:
         return question
     rest = prepared(left_alone(system, q))
     draw = rest.setup.draws[0]
-    if unresisted(rest_problem(draw.reference, draw.q, rest.touching.dry_friction)) is None:
-        return question
-    rolls = Happening(Lasting("rolls", (), question.text), question.text)
+    is_led = False
+    try:
+        if unresisted(rest_problem(draw.reference, draw.q, rest.touching.dry_friction)) is None:
+            return question
+    except FreeBeside:  # whatever carries it may end, as the bed of a truck does: rest is of the start as well
+        is_led = True
+    rolls = Happening(Lasting("rolls", (), question.text), question.text, at_once=is_led)
     end = "" if q.which == "range" else q.which
     wanted = RangeFor(q.parameter, rolls, ZERO, q.dimension, q.unit, question.text, relation=SO, end=end)
     return replace(question, quantity=wanted)

@@ -6,8 +6,7 @@ bodies have the velocities and accelerations that the drive gives them.
 
 from __future__ import annotations
 
-from freebody.errors import CannotAnswer
-from freebody.numeric.rest_problem import FREE_BESIDE
+from freebody.numeric.rest_problem import FreeBeside
 from freebody.study.friction.touching import TouchingAtRest
 from freebody.study.setup import Setup
 from freebody.symbolic.ratio import Ratio
@@ -22,7 +21,7 @@ def carried(touching: TouchingAtRest, setup: Setup) -> dict[str, tuple[Ratio, ..
     f, n = model.field, 3 if model.system.space else 2
     for partials in model.kinematics.partial_velocities.values():
         if any(not state.here(x).is_zero() for partial in partials for x in partial[:n]):
-            raise CannotAnswer(FREE_BESIDE)  # what only spins about its middle need not go along
+            raise FreeBeside  # what only spins about its middle need not go along
     still = dict.fromkeys(model.accelerations, f.zero)
     found: dict[str, tuple[Ratio, ...]] = {}
     for body in model.system.all_moving:

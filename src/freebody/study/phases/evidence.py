@@ -92,15 +92,17 @@ def _at_instants(tree: PhaseTree, question: Question, piece: AnswerBranch) -> Ev
     def compare(numbered: tuple[int, int]) -> None:
         n, k = numbered
         with without_numbers():
-            mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), tree.sets.one(k))
+            values = tree.sets.one(k)
+            mode, q, v = begun(tree.system, stage(tree, piece.nodes[-1]), values)
             reference = mode.references[0]
             begin, node = reference.snapshot(q, v), piece.nodes[-1]
-            draw = Draw(mode.values, reference, q)
+            later = {name: values[name] for name in tree.later}  # symbols for where this phase begins
+            draw = Draw({**mode.values, **later}, reference, q)
             if not at_start:
                 q, v = _elsewhere(phase, reference, begin, n)
             now = mode.snapshot(q, v, 0.0)
             if is_before_impact(question) and node.impact is not None:
-                now, _q, _v = before_impact(tree.system, node.impact.kept, tree.sets.one(k))
+                now, _q, _v = before_impact(tree.system, node.impact.kept, values)
             numeric = value_in_mode(question.quantity, tree.system, mode.system, now)
         exact = (
             _home_numbers(tree, piece, k)
