@@ -3,11 +3,13 @@ stand in the file."""
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable
 
 import pytest
 
 import freebody as fb
+from posed import posed
 
 BASE = """
 parameters: {m: 2 kg, L: 1 m, R: 0.1 m, k: 50 N/m, mu: 0.3, g: 9.81 m/s^2, w: 3 rad/s}
@@ -842,3 +844,22 @@ def test_one_cause_is_one_message(text: str, told: str) -> None:
         fb.System.from_text(f"{text}\n")
     (problem,) = refused.value.problems
     assert told in problem.message
+
+
+@pytest.mark.parametrize(
+    "angle",
+    [
+        "angle of rod clockwise from up",
+        "angle of rod from up clockwise",
+        "clockwise angle of rod from up",
+        "angle of line from rod.start to rod.end clockwise from up",
+    ],
+)
+def test_an_angle_may_be_counted_clockwise_before_or_behind_its_direction(angle: str) -> None:
+    """A rod 60 degrees above the horizontal stands 30 degrees clockwise of the vertical."""
+    text = f"""
+bodies: {{rod: {{rod: {{mass: 1 kg, length: 1 m}}, angle: 60 deg}}}}
+connections: {{hinge: {{pin: [ground.O, rod.start]}}}}
+measures: {{theta: {angle}}}
+"""
+    assert posed(text, "theta at start").value == pytest.approx(math.pi / 6)

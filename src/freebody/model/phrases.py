@@ -220,7 +220,7 @@ def direction_angle(direction: Direction) -> Expr:
 @_phrase(
     "angle of line from POINT to POINT [from DIRECTION] [clockwise]",
     rf"angle of (?:the )?line from (?P<start>{_POINT}) to (?P<end>{_POINT})"
-    r"(?: from (?P<ref>.+?))?(?P<cw> clockwise)?",
+    r"(?P<cw1> clockwise(?= from ))?(?: from (?P<ref>.+?))?(?P<cw> clockwise)?",
     """
 bodies: {ball: {particle: {mass: 1 kg}}}
 measures: {theta: angle of line from ground.O to ball from down}
@@ -232,7 +232,7 @@ def _bearing(names: Names, found: Found, path: Path) -> Measure:
     start, end = names.point(found["start"], *path), names.point(found["end"], *path)
     if len(ref.components) > 2 and ref.components[2] != number(0):
         return _inclination(start, end, ref)
-    return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"])
+    return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"] or found["cw1"])
 
 
 def _inclination(start: Point, end: Point, ref: Direction) -> Measure:
@@ -340,7 +340,7 @@ def _alignment(names: Names, found: Found, path: Path) -> Measure:
 
 @_phrase(
     "angle of BODY [from DIRECTION | relative to BODY] [clockwise]",
-    r"(?P<cw1>clockwise )?angle of (?P<of>[A-Za-z_]\w*)"
+    r"(?P<cw1>clockwise )?angle of (?P<of>[A-Za-z_]\w*)(?P<cw2> clockwise(?= from | relative to | against ))?"
     r"(?: from (?P<ref>.+?)| (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?(?P<cw> clockwise)?",
     """
 bodies: {rod: {rod: {mass: 1 kg, length: 1 m}}}
@@ -356,7 +356,7 @@ def _angle(names: Names, found: Found, path: Path) -> Measure:
             "{body} is a particle and has no angle; write angle of line from ground.O to {body}", body=body.name
         )
         names.problem(told, *path)
-    clockwise = found["cw"] or found["cw1"]
+    clockwise = found["cw"] or found["cw1"] or found["cw2"]
     base = None if found["rel"] is None else names.body(found["rel"], *path).name
     if found["ref"] is None and (turned := _out_of_plane(names, body.name, base)) is not None:
         return _clockwise(turned, clockwise)

@@ -18,7 +18,7 @@ from freebody.model.names import Names
 from freebody.questions.base import NAME
 from freebody.questions.compared import compared
 from freebody.questions.event import read_event
-from freebody.questions.happening import ExistingSteadyMotion, Happening, read_happening
+from freebody.questions.happening import ExistingSteadyMotion, Happening, StableSteadyMotion, read_happening
 from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
 from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.operands import event_at_end, has_quantities, without_start
@@ -96,8 +96,9 @@ def _turned_round(
     if happening is not None:
         return _happening(parameter, happening, end)
     head, condition = event_at_end(names, relation) if when is None else (relation, None)
-    if condition is not None and isinstance(happening := read_happening(names, head, ("find",)), ExistingSteadyMotion):
-        return replace(_happening(parameter, happening, end), event=read_event(names, condition, ("find",)))
+    lasting = read_happening(names, head, ("find",)) if condition is not None else None
+    if condition is not None and isinstance(lasting, ExistingSteadyMotion | StableSteadyMotion):
+        return replace(_happening(parameter, lasting, end), event=read_event(names, condition, ("find",)))
     if (event := reached_in(relation)) is not None and when is None:
         return reaching(names, parameter, event, end)
     if end or is_just:

@@ -172,6 +172,10 @@ questions: {it: stability of steady motion}
     measured_in = PER_TIME_SQUARED
     is_verdict = True
 
+    @property
+    def keeps_what_is_given(self) -> bool:
+        return True
+
 
 @dataclass(frozen=True)
 class SteadyOscillations(Steady, kind="small oscillations about steady motion"):
@@ -240,7 +244,7 @@ def _spin(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "stability of steady motion",
+    "stability of steady motion [when MEASURE = VALUE]",
     r"stability of (?:the )?steady motion",
     rank=RANK,
 )

@@ -26,7 +26,7 @@ FORM = """value of PARAMETER for which QUANTITY = EXPRESSION [at start | when EV
     value of PARAMETER for which MEASURE stays constant
     range of PARAMETER for which QUANTITY stays below | stays above EXPRESSION, or MEASURE [never] turns back | escapes
     range of PARAMETER for which EVENT [before EVENT | at once], or the equilibrium is stable
-    range of PARAMETER for which the steady motion exists [when MEASURE = VALUE]
+    range of PARAMETER for which the steady motion exists | is stable [when MEASURE = VALUE]
     QUANTITY as PARAMETER -> EXPRESSION | grows
     value of PARAMETER for which QUANTITY is largest | least      largest | least QUANTITY over PARAMETER
     range of PARAMETER for which it tips before it slides as PARAMETER grows
@@ -173,8 +173,17 @@ _STEADILY = re.compile(
 )
 
 
+_STABLE_AT = re.compile(
+    rf"^(?:the )?(?:(?:steady )?(?:motion|position|place|equilibrium|state) )?(?P<at>{NAME} ?= ?\S.*?)"
+    r"(?: in (?:the )?steady (?:motion|precession|turning))? is (?P<un>un|not )?stable$"
+)
+
+
 def steadily(relation: str) -> str:
-    """theta = 30 deg in steady motion, as theta in steady motion = 30 deg; so in equilibrium."""
+    """theta = 30 deg in steady motion, as theta in steady motion = 30 deg; so in equilibrium. theta = 0 is stable, as
+    the steady motion is stable when theta = 0: rest is such a motion, too."""
+    if (stable := _STABLE_AT.match(relation)) is not None:
+        return f"the steady motion is {stable['un'] or ''}stable when {stable['at']}"
     return _STEADILY.sub(lambda m: f"{m['left']}{m['steadily']}{m['sign']}{m['right']}{m['timed'] or ''}", relation)
 
 

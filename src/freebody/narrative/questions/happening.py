@@ -247,7 +247,7 @@ def _disturbances(context: Context, question: Question, _name: str, method: Meth
     if given.expression is None:
         raise CannotAnswer(given.reason or Message("there is no closed form"))
     stages = derivation_of(context.system, asked)(context, asked, given, method)
-    linear = linear_at_start(context.setup, SteadyMotion(context.setup.model))
+    linear = linear_at_start(context.setup, SteadyMotion.asked(context.setup.model, question.event))
     f, start = context.setup.model.field, given_by_start(context.setup, linear)
     borders = [f.lowest_terms(f.follow(x, start)) for x in (*signs_of(linear), *linear.exists)]
     return _Told(context, stages, [readable(x.numerator()) for x in borders])

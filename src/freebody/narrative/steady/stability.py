@@ -183,7 +183,7 @@ def tell_stability(context: Context, question: Question, answer: Answer) -> list
     """The equations of motion, the steady motion, and the squares of the exponents of small disturbances."""
     expression = answer.expression
     assert expression is not None
-    linear = linear_at_start(context.setup, SteadyMotion(context.setup.model))
+    linear = linear_at_start(context.setup, SteadyMotion.asked(context.setup.model, question.event))
     if answer.unit == "":
         return _by_routh(context, linear, expression)
     stages, more, glossary, lines = disturbances(context, linear)

@@ -261,7 +261,9 @@ class QuestionSolver(FindingAtEvents):
         if isinstance(q.of, StableSteadyMotion):
             from freebody.study.steady.stable_for import stability as steady_stability
 
-            return solved_for(self.setup, self.question, steady_stability(self.setup, is_so=q.of.is_so))
+            return solved_for(
+                self.setup, self.question, steady_stability(self.setup, self.question.event, is_so=q.of.is_so)
+            )
 
         if isinstance(q.of, ExistingSteadyMotion):
             from freebody.study.steady.exists_for import existence

@@ -37,6 +37,7 @@ if TYPE_CHECKING:
 
 SEED = 7
 _TRIES = 12
+_TURNED = 1.0  # rad
 _NEARBY = 2  # disturbed guesses near the pose of the file, for a draw that shall be on its branch
 
 _LEAST_REGULAR = 0.01  # of the pose of the file: speeds are found with round-off over the square of this
@@ -152,7 +153,7 @@ class Draw:
 
     def anywhere(self, seed: int, t: float, size: float) -> Snapshot:
         """A pose and motion near the start, otherwise arbitrary; as far as `size` of the system, or radians."""
-        reference = self.reference
+        reference, t = self.reference, self._soon(t)
         for distance in (size, size / 3, size / 10):
             try:
                 q, v = reference.wander(self.q, np.random.default_rng(seed), distance, t)
@@ -160,6 +161,16 @@ class Draw:
                 continue
             return reference.snapshot(q, v, t)
         return self.start()
+
+    def _soon(self, t: float) -> float:
+        """A time, not so late that in space a drive has turned a body beyond where the pose of the start leads: wheels
+        that mesh on a carrier fit it half a turn away as well, which a pose found at once does not tell apart."""
+        reference = self.reference
+        if not (reference.system.space and t):
+            return t
+        v = reference.velocities(self.q, with_start=False)
+        turning = [abs(float(v[k])) for b in reference.system.moving for k in reference.columns(b.name)[3:]]
+        return min(t, _TURNED / fastest) if (fastest := max(turning, default=0.0)) else t
 
 
 def _assembled(reference: Reference, **how: Any) -> Array:

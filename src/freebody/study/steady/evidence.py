@@ -26,6 +26,7 @@ from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _RATES = (1.0, 3.0, 10.0, 30.0, 100.0, 300.0, 1000.0)  # rad/s, m/s: slow ones first
+_OF_SQUARES = 1e-4  # of the square of the largest rate: an acceleration of that size counts
 _TOLERANCE = 1e-7  # relative, of accelerations: rates that formulas give are solved for, with condition numbers to 1e6
 
 
@@ -174,11 +175,13 @@ def coordinate_accelerations(steady: SteadyMotion, draw: Draw, snapshot: Snapsho
 
 
 def unevenness(steady: SteadyMotion, draw: Draw, snapshot: Snapshot) -> float:
-    """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled."""
+    """The largest acceleration, beside what the coordinate has at rest there and with these rates doubled, and beside
+    the squares of the rates, whose round-off it has where it vanishes at any rate."""
     here = coordinate_accelerations(steady, draw, snapshot)
     others = [
         coordinate_accelerations(steady, draw, draw.reference.snapshot(snapshot.q, factor * snapshot.v))
         for factor in (0.0, 2.0)
     ]
     sizes = np.maximum(np.abs(others[0]), np.abs(others[1]))
-    return float(np.max(np.abs(here) / np.maximum(sizes, 1.0), initial=0.0))
+    least = max(1.0, _OF_SQUARES * float(np.abs(snapshot.v).max(initial=0.0)) ** 2)
+    return float(np.max(np.abs(here) / np.maximum(sizes, least), initial=0.0))

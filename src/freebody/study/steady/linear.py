@@ -175,6 +175,8 @@ def _check_rest(setup: Setup, steady: SteadyMotion) -> None:
     """Raises CannotAnswer where something moves at the start that has to rest in a steady motion."""
     start = setup.draws[0].start()
     for c in steady.others:
+        if c.index in steady.given:
+            continue
         measure = steady.model.measure_of(c)
         rate = 0.0 if measure is None else start.rate(measure)
         if not setup.start.of(c.speed).is_zero() or abs(rate) > _SMALL:

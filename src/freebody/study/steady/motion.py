@@ -9,7 +9,7 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -18,6 +18,7 @@ from freebody.language.expression import ZERO
 from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message, further
 from freebody.measures.base import Measure
+from freebody.questions.base import Quantity
 from freebody.questions.event import AskedEvent
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.steady import SteadyValue
@@ -477,3 +478,15 @@ def unknown_of(steady: SteadyMotion, q: SteadyValue) -> Coordinate | None:
         return None
     among = steady.cyclic if order else steady.others
     return next((c for c in among if steady.model.measure_of(c) == measure), None)
+
+
+def rate_among(steady: SteadyMotion, parts: Iterable[Quantity]) -> Coordinate | None:
+    """The first of the rates from which a quantity is made, as a ratio is, that the one condition of steady motion
+    tells by the others."""
+    if len(steady.equations) != 1:
+        return None
+    told = steady.equations[0].generators()
+    watched = (part.watched for part in parts)
+    rates = [measure for measure, order in (w for w in watched if w is not None) if order == 1]
+    found = (c for m in rates for c in steady.cyclic if c.speed in told and steady.model.measure_of(c) == m)
+    return next(found, None)

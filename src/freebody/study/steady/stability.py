@@ -35,7 +35,7 @@ from freebody.tolerances import ROUND_OFF
 
 def steady_stability(setup: Setup, question: Question) -> Finding:
     """The squares of the exponents of small disturbances, or what has to be positive."""
-    linear = linear_at_start(setup, SteadyMotion(setup.model))
+    linear = linear_at_start(setup, SteadyMotion.asked(setup.model, question.event))
     signs = signs_of(linear)
     roots: list[Ratio] | None = []
     for c in linear.factors:

@@ -10,6 +10,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.questions.event import AskedEvent
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
@@ -21,10 +22,11 @@ from freebody.symbolic.conditions import Condition
 from freebody.symbolic.ratio import Ratio
 
 
-def stability(setup: Setup, *, is_so: bool) -> list[Formula]:
-    """Where the steady motion of the start is stable, or (not is_so) unstable. Raises CannotAnswer where the linearised
-    equations have no closed form, or the start is no steady motion."""
-    linear = linear_at_start(setup, SteadyMotion(setup.model))
+def stability(setup: Setup, event: AskedEvent | None = None, *, is_so: bool) -> list[Formula]:
+    """Where the steady motion of the start, or that in which something has the value that the event states, is stable
+    or (not is_so) unstable. Raises CannotAnswer where the linearised equations have no closed form, or the start is no
+    steady motion."""
+    linear = linear_at_start(setup, SteadyMotion.asked(setup.model, event))
     f, given = setup.model.field, given_by_start(setup, linear)
     signs = [f.lowest_terms(f.follow(x, given)) for x in signs_of(linear)]
     exists = [Condition(f.lowest_terms(f.follow(x, given)), ">=", "") for x in linear.exists]

@@ -18,7 +18,7 @@ from freebody.study.answering.finding import Finding
 from freebody.study.answering.solved_in_numbers import Side, solved_in_numbers
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import during_steady_motion, in_steady_motion
-from freebody.study.steady.motion import Solutions, SteadyMotion, unknown_of
+from freebody.study.steady.motion import Solutions, SteadyMotion, rate_among, unknown_of
 from freebody.symbolic.conditions import Condition, insisted
 from freebody.symbolic.field import Field
 from freebody.symbolic.ratio import Ratio
@@ -100,6 +100,9 @@ def _range(x: Ratio, purpose: str) -> list[Condition]:
 def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMotion) -> Finding:
     """Another quantity: by what stays open, or, where what is given determines the motion, by the parameters alone."""
     f, solutions = setup.model.field, steady.eliminated(even_if_open=is_steady_place(q))
+    among = None if solutions is not None or steady.given else rate_among(steady, q.of.inner)
+    if among is not None:
+        solutions = steady.solved_for(among.speed)
     value = q.of.value(setup.system, steady.state)
     parts = cast("tuple[Any, ...]", value if isinstance(value, tuple) else (value,))
     elements = tuple(steady.put_in(without_square_roots(setup.model, f.lowest_terms(f.element(v)))) for v in parts)
@@ -120,7 +123,11 @@ def _during(setup: Setup, question: Question, q: SteadyValue, steady: SteadyMoti
     ranges = _ranges(roots) if solutions is not None else []
     held = [replace(c, element=_with(steady, solutions, c.element)) for c in needed]
     shown = tuple(_at_start(setup, question, x, None) for xs in by_root for x in xs)
-    has_value = all(_is_given(setup, x) for x in shown) or (not steady.given and _starts_steadily(setup, steady))
+    has_value = (
+        among is not None
+        or all(_is_given(setup, x) for x in shown)
+        or (not steady.given and _starts_steadily(setup, steady))
+    )
     if not has_value and setup.has_values:
         notes.append(Message("no value: the given start is not in steady motion"))
     element = shown[0] if len(shown) == 1 and not isinstance(value, tuple) else shown
