@@ -11,6 +11,7 @@ Source: Pfeiffer & Glocker, Multibody Dynamics with Unilateral Contacts, 1996, c
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -18,7 +19,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.model.elements import ConstraintRow
-from freebody.numeric.instant import free_motion, held, law
+from freebody.numeric.instant import UNIQUE, free_motion, held, law, place_of
 from freebody.numeric.jet_geometry import JetGeometry
 from freebody.numeric.jets import Array
 from freebody.numeric.split import Split, stack
@@ -106,3 +107,14 @@ def blow_loads_friction(row: ConstraintRow) -> Message:
 def impulse(reference: NumericSystem, struck: Blow, row: ConstraintRow) -> float:
     """The impulse of a row in a blow. Raises CannotAnswer if it is not unique."""
     return held(reference, struck.split, struck.multipliers, row)
+
+
+def total_impulse(reference: NumericSystem, struck: Blow, parts: Sequence[tuple[float, ConstraintRow]]) -> float:
+    """A sum of impulses by their shares, also where only the sum is unique. Raises CannotAnswer as `impulse`."""
+    shares = np.zeros(len(struck.multipliers))
+    for share, row in parts:
+        shares[place_of(reference, row)] += share
+    loose = np.abs((shares * struck.split.row_scale) @ struck.split.left_null).max(initial=0.0)
+    if loose <= UNIQUE * max(1.0, float(np.abs(shares).max(initial=0.0))):
+        return float(shares @ struck.multipliers)
+    return sum(share * impulse(reference, struck, row) for share, row in parts)

@@ -83,12 +83,29 @@ class _Telling:
         return readable(self.way.tree.to_home(self.collision.setup, x))
 
     @cached_property
+    def groups(self) -> dict[str, list[ConstraintRow]]:
+        """The rows along which impulses act. What shares its impulses in more than one way, and drives all speeds
+        alike, is one: the name of its first row, and all of them."""
+        found: dict[str, list[ConstraintRow]] = {}
+        for row in self.collision.struck:
+            alike = [name for name, rows in found.items() if self._acts_alike(row, rows[0])]
+            found.setdefault(alike[0] if alike else row.name, []).append(row)
+        return found
+
+    def _acts_alike(self, row: ConstraintRow, other: ConstraintRow) -> bool:
+        shared = self.collision.shared_by
+        if row.name not in shared or other.name not in shared or row.connection != other.connection:
+            return False
+        own, its = self._slopes(row), self._slopes(other)
+        return all((row.sign * own[k] - other.sign * its[k]).is_zero() for k in own)
+
+    @cached_property
     def symbols(self) -> dict[str, Expr]:
-        """Of the impulses, by row."""
-        one = len(self.collision.hits) == 1
+        """Of the impulses, by row; one for those that act alike."""
+        one = len(self.groups) == 1 or len(self.collision.hits) == 1
         found: dict[str, Expr] = {}
         rubs = {rub.name for rub in self.collision.dry_friction}
-        for row in self.collision.struck:
+        for row in (rows[0] for rows in self.groups.values()):
             letter = "F" if row.name in rubs else "P"
             name = letter if one else f"{letter}_{row.connection}"
             symbol = Symbol(self.leg.free_name(name))
@@ -99,18 +116,21 @@ class _Telling:
     def _what(self, name: str) -> Sentence:
         of = {rub.name: rub.of or rub.name for rub in self.collision.dry_friction}
         key = "symbol.impulse_of_friction" if name in of else "symbol.impulse_of"
-        return Sentence(key, {"connection": label(of.get(name, name))})
+        rows = self.groups[name]
+        called = label(of.get(name, name)) if len(rows) == 1 else rows[0].connection
+        return Sentence(key, {"connection": called})
 
     def _read(self, row: ConstraintRow) -> Callable[[World], float]:
         """The impulse in numbers, from the momenta before and after."""
         tree, node, place = self.way.tree, self.leg.node, self.leg.number - 1
-        parts = [(tree.numbers(tree.to_home(self.collision.setup, x)), r) for x, r in self.collision.along(row)]
+        along = [part for one in self.groups[row.name] for part in self.collision.along(one)]
+        parts = [(tree.numbers(tree.to_home(self.collision.setup, x)), r) for x, r in along]
 
         def read(world: World) -> float:
             assert isinstance(world, CourseWorld)
             last = world.run.seen[place - 1] if place else None
-            impulse = impulses_in_numbers(tree, node, world.run.k, last)
-            return self._sign(row.name) * sum(float(share[world.run.k]) * impulse(part) for share, part in parts)
+            total = impulses_in_numbers(tree, node, world.run.k, last)
+            return self._sign(row.name) * total([(float(share[world.run.k]), part) for share, part in parts])
 
         return read
 
@@ -149,11 +169,12 @@ class _Telling:
     def _restitution(self) -> list[int]:
         """Newton: the gaps part at e times the speed at which they closed."""
         found: list[int] = []
-        for bound in self.collision.hits:
+        for bound in (b for b in self.collision.hits if b.name in self.groups):
             e = self.collision.here(self.collision.model.geometry.scalar(bound.restitution))
             rate = self.collision.rate(bound.row)
             key = "impact.stays" if e.is_zero() else "impact.restitution"
-            args: dict[str, Argument] = {"connection": label(bound.name)}
+            rows = self.groups[bound.name]
+            args: dict[str, Argument] = {"connection": label(bound.name) if len(rows) == 1 else rows[0].connection}
             left, right = self._in_speeds(self._slopes(bound.row)), self.shown(-e * rate)
             found.append(self.script.line(left, right, why=key, args=args, uses=self.before, when="start"))
         return found
@@ -206,7 +227,7 @@ class _Telling:
         for d in model.coordinates:
             before = before + entries[d.speed] * self.collision.start.of(d.speed)
         brought: list[Expr] = []
-        for one in self.collision.struck:
+        for one in (rows[0] for rows in self.groups.values()):
             slope = self._slopes(one)[c.speed]
             if not slope.is_zero():
                 brought.append(self.shown(self._sign(one.name) * slope) * self.symbols[one.name])
@@ -218,7 +239,8 @@ class _Telling:
 
     # -- what follows -------------------------------------------------------------------------
     def _impulse(self, name: str, laws: tuple[int, ...]) -> int:
-        value = self.shown(self._sign(name) * self.impulses[name])
+        f, sign = self.collision.model.field, self._sign(name)
+        value = self.shown(f.lowest_terms(sign * sum((self.impulses[r.name] for r in self.groups[name]), f.zero)))
         args: dict[str, Argument] = {"lines": laws}
         return self.script.line(self.symbols[name], value, why="blow.solved", args=args, uses=laws, when="start")
 

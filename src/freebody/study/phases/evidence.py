@@ -16,7 +16,6 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.expression import number
 from freebody.language.sentences import Message
-from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
@@ -42,7 +41,7 @@ from freebody.study.phases.branch import AnswerBranch
 from freebody.study.phases.changes_asked import is_before_impact
 from freebody.study.phases.followed import before_impact, begun, changed, follow
 from freebody.study.phases.how_long import longest_times
-from freebody.study.phases.in_blow import after_in_numbers
+from freebody.study.phases.in_blow import Parts, after_in_numbers
 from freebody.study.phases.nodes import PhaseNode
 from freebody.study.phases.over_time import over_time, work_over_time
 from freebody.study.phases.phase import BOUNCES_END, Phase
@@ -251,10 +250,10 @@ def number_in_blow(tree: PhaseTree, quantity: Quantity, piece: AnswerBranch, k: 
 
 def impulses_in_numbers(
     tree: PhaseTree, node: PhaseNode, k: int, last: PhaseSnapshot | None
-) -> Callable[[ConstraintRow], float]:
-    """The impulses by row in the blow with which a phase begins, by the numeric route."""
+) -> Callable[[Parts], float]:
+    """The sums of impulses, by shares and rows, in the blow with which a phase begins, by the numeric route."""
     state, _mode, _now = _just_after_blow(tree, node, k, last, node)
-    return state.impulse
+    return state.total_impulse
 
 
 def _home_numbers(tree: PhaseTree, piece: AnswerBranch, k: int) -> tuple[float, ...]:

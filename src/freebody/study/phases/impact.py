@@ -8,6 +8,10 @@ answer with. Of one colliding contact with friction the slip ends in the impact 
     slip ends                   W (P, T) = (-(1 + e) gap', -slip'),  |T| <= mu P
     slides on, s = +1, -1       (W_nn - s mu W_nt) P = -(1 + e) gap',  s slip'+ > 0
 
+Contacts that depend on each other, as two faces that meet, share their impulses in more than one way, all with the
+same speeds after: any share that pushes everywhere shows that these follow, and the least one that adds least to what
+touched before is taken (`shares.py`). An impulse of one of them is then not determined.
+
 In space a slip in a plane is counted along its direction, which it keeps where no impulse changes what is at right
 angles to it: so it is of a ball, and of a particle.
 
@@ -38,8 +42,10 @@ from freebody.model.elements import (
 )
 from freebody.study.phases.decide import Inequality
 from freebody.study.phases.placed import Given, Placed
+from freebody.study.phases.shares import least_shares
 from freebody.symbolic.blow import Blow as Momenta
-from freebody.symbolic.linear import RHS, Row, solve
+from freebody.symbolic.field import Field
+from freebody.symbolic.linear import RHS, Row, Solved, solve
 from freebody.symbolic.phases.friction import named_rows
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.start import StartState, start_from_bodies, start_state
@@ -95,6 +101,9 @@ class ClosedFormCollision:
         gone: frozenset[str] = frozenset(),
     ) -> None:
         self.reached: set[str] = set()  # what could let go, and impulses reach
+        self.shared: list[
+            dict[str, Ratio]
+        ] = []  # impulses that change no speed: how what is hit shares is open by them
         self.ways = dict(ways or {})
         in_planes = {rub.name: rub for rub in base.dry_friction}
         aside = [across_the_way(in_planes[name], way) for name, way in self.ways.items()]
@@ -237,10 +246,15 @@ class ClosedFormCollision:
                 row[RHS] = change
             rows.append(row)
         solved = solve(self.model.field, rows, [columns[k] for k in wanted], lambda x: x.is_zero())
-        if solved.free or solved.contradictory:
+        if solved.contradictory or (solved.free and self.dry_friction):
             raise CannotAnswer(Message("the impulses of {contacts} are not determined", contacts=_listed(list(wanted))))
-        zero = self.model.field.zero
-        return {k: self.model.field.lowest_terms(solved.pivots[columns[k]].get(RHS, zero)) for k in wanted}
+        self.shared = _shared(self.model.field, solved, self.columns)
+        if not solved.free:
+            zero = self.model.field.zero
+            return {k: self.model.field.lowest_terms(solved.pivots[columns[k]].get(RHS, zero)) for k in wanted}
+        answers = [{columns[k]: x for k, x in slopes.items()} for slopes in self._answers().values()]
+        shares = least_shares(self.model.field, solved, [columns[k] for k in wanted], answers)
+        return {k: shares[columns[k]] for k in wanted}
 
     def _blow(self, impulses: dict[str, Ratio], checks: Sequence[Inequality]) -> CollisionOutcome:
         model, f = self.model, self.model.field
@@ -265,10 +279,40 @@ class ClosedFormCollision:
             conditions.append((row.sign * f.lowest_terms(after.rate(row.measure)), ">", parts))
         return CollisionOutcome(impulses, speeds, tuple(conditions))
 
+    def _answers(self) -> dict[str, dict[str, Ratio]]:
+        """How the impulses of what touched before, and of what loads friction, grow with those of the collision."""
+        rows = named_rows(self.setup.system)
+        loads = {name for rub in self.others for name in rub.load}
+        named = sorted(name for name in {*self.kept, *loads} if name in rows)
+        return {name: self.slopes(self.model.reactions.multiplier(rows[name])) for name in named}
+
     def total(self, x: Ratio, impulses: Mapping[str, Ratio]) -> Ratio:
         """How much impulses make of what grows with forces along the same rows."""
+        return self._summed(self.slopes(x), impulses)
+
+    @property
+    def shared_by(self) -> list[str]:
+        """The rows that share their impulses in more than one way."""
+        return sorted({name for way in self.shared for name, x in way.items() if not x.is_zero()})
+
+    def is_determined(self, parts: Sequence[tuple[Ratio, str]]) -> bool:
+        """Whether a sum of impulses, by shares and rows, is the same for all that the collision may take. shares: in
+        the field of the collision."""
+        held = named_rows(self.setup.system)
+        for way in self.shared:
+            change = self.model.field.zero
+            for share, name in parts:
+                if name in way:
+                    change = change + share * way[name]
+                elif name in held and name not in self.columns:
+                    change = change + share * self.total(self.model.reactions.multiplier(held[name]), way)
+            if not self.model.field.lowest_terms(change).is_zero():
+                return False
+        return True
+
+    def _summed(self, slopes: Mapping[str, Ratio], impulses: Mapping[str, Ratio]) -> Ratio:
         total = self.model.field.zero
-        for name, slope in self.slopes(x).items():
+        for name, slope in slopes.items():
             if name in impulses:
                 total = total + slope * impulses[name]
         return self.model.field.lowest_terms(total)
@@ -277,10 +321,8 @@ class ClosedFormCollision:
         """What touched before must answer with a push; friction that this loads would act too."""
         rows = named_rows(self.setup.system)
         loads = {name for rub in self.others for name in rub.load}
-        for name in sorted({*self.kept, *loads}):
-            if name not in rows:
-                continue
-            push = rows[name].sign * self.total(self.model.reactions.multiplier(rows[name]), impulses)
+        for name, slopes in self._answers().items():
+            push = rows[name].sign * self._summed(slopes, impulses)
             if push.is_zero():
                 continue
             if name in loads:
@@ -338,6 +380,16 @@ class SuddenBlow:
             target = self.setup.model.field.zero if row.target is None else self.setup.model.geometry.scalar(row.target)
             found[row.name] = self.after.value(measure) - target
         return found
+
+
+def _shared(field: Field, solved: Solved, columns: Mapping[str, int]) -> list[dict[str, Ratio]]:
+    """By row, the impulses that solve the homogeneous system, one for each free column."""
+    names = {column: name for name, column in columns.items()}
+    found: list[dict[str, Ratio]] = []
+    for one in solved.free:
+        others = {names[c]: row[one] for c, row in solved.pivots.items() if one in row}
+        found.append({**others, names[one]: field.one})
+    return found
 
 
 def _listed(names: Sequence[str]) -> str:

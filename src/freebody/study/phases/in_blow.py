@@ -7,17 +7,17 @@ before and after alone, J^T Lambda = M (v+ - v-) - P over all rows that act.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import Any
 
 import numpy as np
 
 from freebody.errors import CannotAnswer
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, in_turn
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import not_beside
-from freebody.numeric.blow import between, impulse
+from freebody.numeric.blow import between, total_impulse
 from freebody.numeric.jets import Array
 from freebody.numeric.reference import Reference
 from freebody.questions.base import Quantity
@@ -27,10 +27,13 @@ from freebody.study.phases.home import Home
 from freebody.study.phases.nodes import PhaseImpact, PhaseNode
 from freebody.study.phases.quantities import plain, value_in_mode
 from freebody.study.phases.witness import FollowedPhase
+from freebody.study.phases.words import label
 from freebody.symbolic.phases.friction import named_rows
 from freebody.symbolic.ratio import Ratio
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
+
+Parts = Sequence[tuple[Any, ConstraintRow]]  # shares, of the state's own scalars, and rows
 
 
 class InBlow:
@@ -39,7 +42,7 @@ class InBlow:
     def __init__(
         self,
         state: Any,
-        impulses: Callable[[ConstraintRow], Any],
+        impulses: Callable[[Parts], Any],
         energy_before: Callable[[], Any],
         beside: Callable[[Quantity, str], Any],
     ) -> None:
@@ -50,7 +53,11 @@ class InBlow:
 
     def impulse(self, row: ConstraintRow) -> Any:
         """As a multiplier: it pushes in the direction in which its measure grows."""
-        return self._impulses(row)
+        return self._impulses([(1, row)])
+
+    def total_impulse(self, parts: Parts) -> Any:
+        """The sum of impulses by their shares, also where only the sum is determined."""
+        return self._impulses(parts)
 
     @property
     def energy_before(self) -> Any:
@@ -85,10 +92,35 @@ def after_in_formulas(home: Home, node: PhaseNode, first: PhaseNode) -> InBlow:
             setup, state = first.phase, first.phase.start_instant
         return own(home.to_home(setup, value_in_mode(quantity, home.system, setup.system, state)))
 
-    return InBlow(phase.start_instant, lambda row: own(impulse_of(home, impact, row)), energy, beside)
+    def total(parts: Parts) -> Ratio:
+        shares = [(home.to_home(phase, phase.model.field.one * share), row) for share, row in parts]
+        return own(_total_of(home, impact, shares))
+
+    return InBlow(phase.start_instant, total, energy, beside)
 
 
-def impulse_of(home: Home, impact: PhaseImpact, row: ConstraintRow) -> Ratio:
+def _total_of(home: Home, impact: PhaseImpact, parts: Sequence[tuple[Ratio, ConstraintRow]]) -> Ratio:
+    """A sum of impulses by shares, in the home field. Raises CannotAnswer where it is not unique."""
+    there = [(share, row) for share, row in parts if not share.is_zero()]
+    if impact.collision is not None and impact.collision[0].shared:
+        collision = impact.collision[0]
+        model, expression = collision.model, home.home.model.field.expression
+        if not collision.is_determined([(model.geometry.scalar(expression(x)), row.name) for x, row in there]):
+            raise CannotAnswer(
+                Message(
+                    "the impulse of {names} alone is not determined: {contacts} share theirs in the impact in more "
+                    "than one way; their sum is determined, and so are the speeds",
+                    names=in_turn([*dict.fromkeys(label(row.name) for _share, row in there)]),
+                    contacts=in_turn([*dict.fromkeys(label(name) for name in collision.shared_by)]),
+                )
+            )
+    total = home.home.model.field.zero
+    for share, row in there:
+        total = total + share * _impulse_of(home, impact, row)
+    return total
+
+
+def _impulse_of(home: Home, impact: PhaseImpact, row: ConstraintRow) -> Ratio:
     """Of a row, in the home field."""
     if row.name in impact.unknown:
         raise impact.unknown[row.name]
@@ -123,8 +155,8 @@ def after_in_numbers(
     found = between(reference, reference.geometry(q, np.zeros_like(q), time), v, after)
     rows = {row.name: row for row in system.constraint_rows}
 
-    def of(row: ConstraintRow) -> float:
-        return impulse(reference, found, rows[row.name]) if row.name in rows else 0.0
+    def of(parts: Parts) -> float:
+        return total_impulse(reference, found, [(share, rows[r.name]) for share, r in parts if r.name in rows])
 
     return InBlow(state, of, lambda: 0.5 * float(v @ (reference.masses * v)), beside)
 

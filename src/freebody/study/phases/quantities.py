@@ -36,6 +36,15 @@ class Totals(Protocol):
     def total(self, parts: Sequence[tuple[float, ConstraintRow]]) -> Any: ...
 
 
+@runtime_checkable
+class TotalImpulses(Protocol):
+    """A state just after a blow that knows a sum of impulses, also where only the sum is unique."""
+
+    def total_impulse(self, parts: Sequence[tuple[Any, ConstraintRow]]) -> Any: ...
+
+    def gradient(self, measure: Measure, body: str) -> Any: ...
+
+
 def value_in_mode(quantity: Quantity, base: System, system: System, state: State[Any]) -> Any:
     """The quantity at an instant of a mode; `base` is the system with its contacts, `system` the mode."""
     return _value(quantity, base, system, state)
@@ -77,6 +86,12 @@ def _wrench(quantity: Wrench, base: System, system: System, state: State[Any]) -
 def _impulse(quantity: ImpulsiveWrench, base: System, system: System, state: State[Any]) -> Any:
     if _is_contact(quantity.connection, base):
         rows = [row for row in base.rows if row.connection == quantity.connection]
+        if isinstance(state, TotalImpulses) and not quantity.moment:
+            body = _pushed(quantity, base)
+            slopes = [state.gradient(row.measure, body) for row in rows]
+            n = 3 if base.space else 2
+            whole = [state.total_impulse([(g[k], row) for g, row in zip(slopes, rows, strict=True)]) for k in range(n)]
+            return component(tuple(whole), quantity.along, quantity.size, state, quantity.basis)
         return _resultant(quantity, base, [(row.measure, state.impulse(row)) for row in rows], state)
     return quantity.value(plain(system), state)
 
