@@ -6,6 +6,7 @@ A = P (L - a)/L + q (L - a)^2/(2 L) = 5.333 kN, B = P a/L + q (L^2 - a^2)/(2 L) 
 
 from __future__ import annotations
 
+import numpy as np
 import pytest
 
 import freebody as fb
@@ -114,3 +115,28 @@ def test_a_place_that_is_a_number_is_counted_from_in_metres(place: str, x: float
     """1 m to the right of what lies 1 m behind, or before, the middle: 2 m from it, or there."""
     found = answer("bending moment 1 m to the right of D", BEAM.replace("[-0.2*L, 0]", place))
     assert found.value == pytest.approx(A * x - P * (x - AT) - Q * (x - AT) ** 2 / 2, rel=1e-9)
+
+
+CHIMNEY = """
+parameters: {m: 1000 kg, L: 20 m, g: 9.81 m/s^2}
+bodies: {rod: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [rod.start, ground]}}
+loads: {weight: {gravity: g}}
+measures: {phi: {angle of rod from up}}
+start: {phi: 1 deg}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "value"),
+    [
+        ("bending moment of rod at L/3 from rod.start when phi = 30 deg", -1000 * 9.81 * 20 / 54),
+        ("Biegemoment im Abstand L/3 von rod.start, wenn phi = 30 deg", -1000 * 9.81 * 20 / 54),
+        ("bending moment at L/3 from rod.start as a function of phi", -1000 * 9.81 * 20 / 27 * np.sin(np.pi / 180)),
+    ],
+)
+def test_sections_at_a_distance_of_what_falls(said: str, value: float) -> None:
+    """A falling chimney: with phi'' = 3 g sin(phi)/(2 L) the size of M is m g x (L - x)^2 sin(phi)/(4 L^2)."""
+    found = answer(said, CHIMNEY)
+    assert found.expression is not None
+    assert found.value == pytest.approx(value, rel=1e-9)

@@ -27,7 +27,7 @@ if TYPE_CHECKING:
 
 _AT_A_POINT = re.compile(
     r"(?P<what>(?:axial|shear) force|bending moment)(?: of (?P<rod>\w+))? (?:at|just before|just behind) "
-    r"(?:(?P<owner>\w+)\.)?(?P<point>\w+)"
+    r"(?:(?P<owner>\w+)\.)?(?P<point>\w+)(?P<tail> (?:when|as|in) .+)?"
 )
 _SIDES = ("left", "right", "start", "end")
 
@@ -47,18 +47,20 @@ def at_a_distance(names: Names, text: str, words: Callable[[str], str]) -> str:
     if end and len(named) != 1:
         return ""  # whose end is not said
     point = f"{named[0]}.center" if end else of["origin"]
-    asked = words(contexts(language)["cut_at"].format(head=of["head"], point=point))
+    asked = words(contexts(language)["cut_at"].format(head=of["head"], point=point) + of.get("tail", ""))
     each = [_AT_A_POINT.fullmatch(one) for one in asked.split(JOINT)]
     put = [_put(names, one, of["along"].strip(), end, sides["way"], sides["side"]) for one in each if one is not None]
     return JOINT.join(put) if put and len(put) == len(each) and all(put) else ""
 
 
 def _said(text: str) -> tuple[str, dict[str, str]] | None:
-    """What is asked, how far, and from where, with its language."""
+    """What is asked, how far, and from where, with its language; last the instant or the measure it is asked for."""
     for language in languages():
+        tailed = re.fullmatch(contexts(language)["cut_tail"], text, re.IGNORECASE)
+        head, tail = (text, "") if tailed is None else (tailed["cut"], tailed["tail"])
         for pattern in _patterns(language):
-            if (found := pattern.fullmatch(text)) is not None:
-                return language, {key: said for key, said in found.groupdict().items() if said}
+            if (found := pattern.fullmatch(head)) is not None:
+                return language, {key: said for key, said in {**found.groupdict(), "tail": tail}.items() if said}
     return None
 
 
@@ -88,7 +90,7 @@ def _put(names: Names, asked: re.Match[str], length: str, end: str, way: str, si
     before = {1: "just behind", -1: "just before"}.get(from_left * _sense(side), "") if side else "at"
     length = f"({length})" if "/" in length else length  # no quotient of quantities
     place = _counted_from(rod, length, end or asked["point"], from_left, way)
-    return f"{asked['what']} of {rod.name} {before} {place}" if before and place else ""
+    return f"{asked['what']} of {rod.name} {before} {place}{asked['tail'] or ''}" if before and place else ""
 
 
 def _counted_from(rod: RigidBody, length: str, origin: str, from_left: int, way: str) -> str:
