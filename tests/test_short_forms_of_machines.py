@@ -73,7 +73,7 @@ def test_hoists() -> None:
     winch = "winch: {radius: 0.2 m, inertia: 2 kg m^2, torque: 150 N m, load: 50 kg, angle: 30 deg, mu: 0.1}"
     down = m * g * (sin(radians(30)) + 0.1 * cos(radians(30)))
     assert _value(winch, "acceleration of s") == pytest.approx((M / R - down) / (m + J / R**2))
-    two = "hoist: {radius: 0.2 m, inertia: 2 kg m^2, load: 50 kg, counterweight: 40 kg, counterweight_radius: 0.3 m}"
+    two = "hoist: {radius: 0.2 m, inertia: 2 kg m^2, load: {mass: 50 kg}, counterweight: {mass: 40 kg, radius: 0.3 m}}"
     alpha = (40 * 0.3 - 50 * 0.2) * g / (J + 50 * 0.04 + 40 * 0.09)
     assert _value(two, "acceleration of s") == pytest.approx(0.2 * alpha)
 

@@ -91,6 +91,11 @@ def test_a_ladder_leans_on_a_wall_on_the_side_of_its_end() -> None:
         assert any(f"wall goes upright through the origin and is solid on the {solid}" in each for each in told)
 
 
+def test_a_wheel_turns_about_a_point_that_only_it_names() -> None:
+    system = fb.System.from_text("bodies: {wheel: {disk: {mass: 2 kg, radius: 1 m}, pivot: O}}")
+    assert "O" in system.bodies["ground"].points
+
+
 def test_a_wheel_without_an_axle_where_there_is_one() -> None:
     kinds = [each.kind for each in fb.System.from_text(_GEARS.format(more="")).warnings]
     assert "axle missing" in kinds

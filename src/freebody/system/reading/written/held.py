@@ -43,6 +43,10 @@ def hold_bodies(w: Written) -> None:
         shape = shape_of(entry)
         held = {} if shape is None else _held(name, cast("Entry", entry), shape, cast("Entry", connections))
         for key, (called, connection, own) in held.items():
+            ends = connection.get(_PIN, [""])
+            if isinstance(ends[0], str) and ends[0].isidentifier() and ends[0] not in bodies and ends[0] != GROUND:
+                held[key] = called, {_PIN: [f"{GROUND}.{ends[0]}", *ends[1:]]}, own
+        for key, (called, connection, own) in held.items():
             if called in connections:
                 continue
             if connection:

@@ -51,7 +51,7 @@ def with_hoist(w: Written) -> None:
         return
     if any(w.data.get(section) for section in ("bodies", "connections", "ground", "measures")):
         return
-    given = cast("Entry", w.data[key])
+    given = _flat(w, key, cast("Entry", w.data[key]))
     refuse_misread(w, (key,), given, _WORDS)
     said = quantities(w, given, _WORDS) or {}
     refuse_strange(w, (key,), Message("a hoist"), given, said, _KNOWN)
@@ -105,3 +105,14 @@ def with_hoist(w: Written) -> None:
         )
     )
     w.assumed.append(told)
+
+
+def _flat(w: Written, key: str, given: Entry) -> Entry:
+    """`load: {mass: 80 kg}`, `drum: {radius: 0.2 m}` as load_mass, drum_radius."""
+    found: Entry = {}
+    for name, value in given.items():
+        for inner, each in cast("Entry", value).items() if isinstance(value, dict) else (("", value),):
+            called = f"{name}_{inner}" if inner else name
+            found[called] = each
+            w.moved[key, called] = (key, name, inner) if inner else (key, name)
+    return found
