@@ -24,6 +24,7 @@ from freebody.measures.geometry import AXES, GROUND, ONE, RIGHT, UP, ZERO, Direc
 from freebody.measures.turn import Alignment, Turn
 from freebody.model.elements import Attitude
 from freebody.model.names import Names
+from freebody.model.noting import did_you_mean
 from freebody.model.rotations import perpendiculars
 from freebody.model.surfaces import SurfacePlace, from_axis
 
@@ -429,6 +430,10 @@ def read_measure(names: Names, value: Any, *path: str | int) -> Measure | None:
         told = Message(
             "'{text}' is a rate: name what changes, {{s: {what}}}, and write rate(s) for it", text=text, what=what
         )
+        names.unknown(text, told, *path)
+        return None
+    if text.isidentifier() and names.measures:
+        told = Message("there is no measure {name}.{hint}", name=text, hint=did_you_mean(text, names.measures))
         names.unknown(text, told, *path)
         return None
     first = text.split()[0] if text else ""

@@ -32,7 +32,7 @@ def named_grips(names: Names, run: StringRun, given: Sequence[str]) -> set[str]:
             if body.fixed:
                 told = Message("{name} is fixed and cannot turn, so the string cannot grip it", name=name)
                 names.problem(told, "grips", k)
-            elif body.name == name:
+            elif body.name == name and body.radius != ZERO:  # else its radius is what is wrong
                 told = Message("the string does not run over {name}, so it cannot grip it", name=name)
                 names.problem(told, "grips", k)
     return set(given) & wheels

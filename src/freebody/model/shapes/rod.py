@@ -30,9 +30,15 @@ class Rod(Shape, kind="rod"):
         *("Stab", "Balken", "Leiter", "Kurbel", "Stange", "Pleuel"),
     )
 
-    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
-        ("from", "to"), Message("its ends are put beside the shape: {{rod: , at: {{start: A, end: B}}}}")
-    )
+    elsewhere: ClassVar[Mapping[str, str]] = {
+        **dict.fromkeys(
+            ("from", "to"), Message("its ends are put beside the shape: {{rod: , at: {{start: A, end: B}}}}")
+        ),
+        "inertia": Message(
+            "that of a rod follows from its mass and its length (m*L^2/12); one with another is a body: {{body: "
+            "{{mass: m, inertia: J}}, points: {{start: [0, 0], end: [L, 0]}}}}"
+        ),
+    }
     ends: ClassVar[tuple[str, ...]] = ("start", "end")
 
     mass: Formula = 0

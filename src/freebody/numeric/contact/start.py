@@ -15,7 +15,7 @@ from freebody.language.sentences import Message, further
 from freebody.language.units import DIMENSIONLESS, LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
-from freebody.measures.geometry import ONE
+from freebody.measures.geometry import GROUND, ONE
 from freebody.model.elements import NonholonomicForm, UnilateralConstraint
 from freebody.numeric.contact.overlaps import PENETRATION, gap_of, is_within, overlaps, parting
 from freebody.numeric.instant import forces
@@ -85,8 +85,10 @@ def lying_flat(reference: Reference) -> dict[str, set[str]]:
 
 def _apart(reference: Reference, q: Array, bound: UnilateralConstraint) -> str:
     """That two bodies cannot touch at the start, as they do where nobody says where they are; and where they are."""
-    a, b = bound.row.ends[2:4] if len(bound.row.ends) > 3 else (*bound.row.ends, bound.row.connection)[:2]
+    a, b = _bodies(bound)
     gap = gap_of(reference, reference.geometry(q, np.zeros_like(q), 0.0), bound)
+    if (told := _other_side(reference, q, bound)) is not None:
+        return told
     if gap < -PENETRATION * reference.sizes.length:
         return Message(
             "{a} and {b} cannot touch at the start ({contact}): as it is given, {what}. Give a start in which they "
@@ -101,6 +103,36 @@ def _apart(reference: Reference, q: Array, bound: UnilateralConstraint) -> str:
         "or say where they are (at)",
         a=a,
         b=b,
+        contact=bound.row.connection,
+    )
+
+
+def _bodies(bound: UnilateralConstraint) -> tuple[str, str]:
+    """What a bound keeps apart, by the names of the bodies where it has them."""
+    a, b = bound.row.ends[2:4] if len(bound.row.ends) > 3 else (*bound.row.ends, bound.row.connection)[:2]
+    return a, b
+
+
+def _other_side(reference: Reference, q: Array, bound: UnilateralConstraint) -> Message | None:
+    """What is told of a body that lies with all that may touch on the solid side of a line of the ground, of which the
+    file does not say that it is open there."""
+    system, (body, line) = reference.system, _bodies(bound)
+    of_ground = system.bodies[GROUND].lines
+    if body not in system.bodies or line not in (GROUND, *of_ground) or system.space:
+        return None
+    if getattr(system.connections.get(bound.row.connection), "below", True):
+        return None
+    radius = system.bodies[body].radius
+    reach = 0.0 if system.bodies[body].corners or radius is None else 2 * reference.number(radius)
+    g, size = reference.geometry(q, np.zeros_like(q), 0.0), PENETRATION * reference.sizes.length
+    gaps = [gap_of(reference, g, b) for b in system.bounds if b.family == bound.family]
+    if min(gaps) >= -size or max(gaps) > size - reach:
+        return None
+    return Message(
+        "{a} and {b} cannot touch at the start ({contact}): as it is given, {a} lies on the other side of the line. If "
+        "it is meant to, write below: true in the contact {contact}; else put it on the side to which the line is open",
+        a=body,
+        b=line,
         contact=bound.row.connection,
     )
 
@@ -362,6 +394,8 @@ def _refuse_penetration(reference: Reference, q: Array, bounds: tuple[Unilateral
         if bound.obstacle:
             faced.setdefault(f"{bound.family} {bound.obstacle}", []).append((gap, bound))
         elif gap < -PENETRATION * reference.sizes.length and is_within(reference, g, bound):
+            if (told := _other_side(reference, q, bound)) is not None:
+                raise CannotAnswer(told)
             if _is_lost(reference, g, bound):
                 raise CannotAnswer(
                     Message(

@@ -1,4 +1,5 @@
-"""A planet that no axle carries, beside a body that turns about the middle of its train and carries nothing."""
+"""A planet that no axle carries, beside a body that turns about the middle of its train and carries nothing; and a
+wheel without an axle where that of another body is."""
 
 from __future__ import annotations
 
@@ -39,6 +40,17 @@ class AxleMissing(WarningKind, name="axle missing"):
                 for other in row.measure.bodies()
                 if other not in (wheel.name, GROUND)
             }
+            if (held := self._held_there(model, wheel)) is not None:
+                point, other = held
+                told = Message(
+                    "teeth alone hold {wheel}, so that it can leave {point}, about which {other} turns: if {wheel} "
+                    "turns there, too, give it a bearing: {{pin: [{point}, {wheel}]}}",
+                    wheel=wheel.name,
+                    point=point,
+                    other=other,
+                )
+                yield self.warning(told, "bodies", wheel.name, about=frozenset((wheel.name, other)))
+                continue
             for arm in arms:
                 about = self._axis(model, arm, joined[arm.name], partners)
                 if about is None or arm.name == wheel.name:
@@ -55,6 +67,25 @@ class AxleMissing(WarningKind, name="axle missing"):
                 )
                 yield self.warning(told, "bodies", wheel.name, about=frozenset((wheel.name, arm.name)))
                 break
+
+    def _held_there(self, model: Opened, wheel: RigidBody) -> tuple[str, str] | None:
+        """The point of the ground at which the middle of a wheel is, if a joint holds another body there; and that
+        body."""
+        for row in model.system.rows:
+            own = row.measure
+            if row.is_driven or not isinstance(own, Displacement) or wheel.name in own.bodies():
+                continue
+            ends = {point.body: point for point in (own.of, own.origin)}
+            others = [body for body in ends if body != GROUND]
+            if GROUND not in ends or len(others) != 1 or model.system.bodies[others[0]].fixed:
+                continue
+            middle = model.system.bodies[others[0]].center
+            there = (ends[GROUND], ends[others[0]], middle)
+            if all(
+                abs(model.start.value(Displacement(wheel.center, p, e))) <= model.close for p in there for e in AXES[:2]
+            ):
+                return ends[GROUND].name or GROUND, others[0]
+        return None
 
     def _axis(self, model: Opened, arm: RigidBody, joints: set[str], wheels: set[str]) -> Point | None:
         """The point about which an arm turns, if one of some wheels turns about it, too."""

@@ -37,6 +37,7 @@ from freebody.system.reading.written.held import (
     raise_walls,
     roughen_lines,
 )
+from freebody.system.reading.written.hoists import with_hoist
 from freebody.system.reading.written.hoops import with_hoop
 from freebody.system.reading.written.joined_places import leave_to_joints
 from freebody.system.reading.written.joints import join_rods, tell_middles
@@ -48,6 +49,7 @@ from freebody.system.reading.written.pulleys import hold_pulleys
 from freebody.system.reading.written.scalars import spread_scalars
 from freebody.system.reading.written.sections import lines_of_ground, rename_sections, take_in_sections
 from freebody.system.reading.written.single import with_single
+from freebody.system.reading.written.slider_cranks import with_slider_crank
 from freebody.system.reading.written.spelling import ground_for_world, sides_as_called, spell_entry, spell_sections
 from freebody.system.reading.written.stacks import lay_in_stacks
 from freebody.system.reading.written.starts import start_of_bodies
@@ -102,6 +104,8 @@ def _put_in_order(w: Written) -> None:
     with_single(w)
     with_cam(w)
     with_hoop(w)
+    with_slider_crank(w)
+    with_hoist(w)
     with_bevels(w)
     if str(w.data.get("start")).lower() in _AT_REST:
         del w.data["start"]

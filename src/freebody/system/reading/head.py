@@ -37,7 +37,8 @@ def check_sections(source: Source) -> None:
         if key in SECTIONS:
             empty = key if value is None else ""
             continue
-        source.names.problem(source.refused.get(key) or _no_section(key, value, empty), key)
+        told = source.refused.get(key) or _not_indented(source, key, value) or _no_section(key, value, empty)
+        source.names.problem(told, key)
         meant = _meant(key)
         if meant and key not in MEANT_SECTIONS and meant not in source.data:
             source.data[meant] = value
@@ -57,6 +58,21 @@ def check_sections(source: Source) -> None:
             "bodies",
         )
         source.names.is_cut_short = True  # what names bodies has no other mistake
+
+
+def _not_indented(source: Source, key: str, value: Any) -> Message | None:
+    """What is told of an entry of a section above it that is not indented: it says a kind of that section."""
+    fields = cast("dict[str, Any]", value) if isinstance(value, dict) else {}
+    kinds = {"bodies": Shape.kinds, "connections": Connection.kinds, "loads": Load.kinds}
+    above = [section for section in source.data if section in SECTIONS]
+    found = [at for at in above if at in kinds and len(fields) == 1 and fields.keys() <= kinds[at].keys()]
+    if not found or not isinstance(source.data[found[-1]], dict | None):
+        return None
+    return Message(
+        "{key} is not indented, so that it is no part of {section}: begin its line with two spaces",
+        key=key,
+        section=found[-1],
+    )
 
 
 def _no_section(key: str, value: Any, empty: str = "") -> Message:

@@ -86,8 +86,16 @@ def _read_shorthands(names: Names, written: Mapping[str, str]) -> None:
         if not ready:
             name = min(waiting)
             with names.at("parameters", name):
-                each = in_turn(list(waiting))
-                told = Message("{names} are formulas of each other; give a number for one", names=each)
+                own = [each for each in waiting if each in _used_in(waiting[each])]
+                told = Message(
+                    "{name} is given by itself ({formula}); give it a number, as {name}: 1 m, or call one of the two "
+                    "otherwise",
+                    name=own[0] if own else name,
+                    formula=waiting[own[0] if own else name],
+                )
+                if not own:
+                    each = in_turn(list(waiting))
+                    told = Message("{names} are formulas of each other; give a number for one", names=each)
                 names.problem(told)
             names.broken |= waiting.keys()
             return

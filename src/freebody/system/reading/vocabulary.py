@@ -32,18 +32,23 @@ from freebody.system.reading.written import (
     beams,
     bevels,
     cams,
+    hoists,
     hoops,
     joints,
     linkages,
     planetary,
     single,
+    slider_cranks,
     toothed,
     trusses,
 )
 from freebody.system.reading.written.form import JOINED, SAYS_NAME, kinds_of
 
-_FIGURES = (beams, bevels, cams, hoops, joints, linkages, planetary, single, trusses)
-SHORT_FORMS = ("pendulum", "beam", "nodes", "links", "four_bar", "gears", "planetary", "bevel_gears", "cam", "hoop")
+_FIGURES = (beams, bevels, cams, hoists, hoops, joints, linkages, planetary, single, slider_cranks, trusses)
+SHORT_FORMS = (
+    *("pendulum", "beam", "nodes", "links", "four_bar", "slider_crank", "gears", "planetary", "bevel_gears", "cam"),
+    *("hoop", "hoist"),
+)
 _NEAR, _WORDS_COMPARED = 0.65, 9
 FEWEST = 3  # letters of a word
 

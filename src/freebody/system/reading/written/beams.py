@@ -6,6 +6,7 @@
                                                                      also {P: F, x: 6 m}, {w: q, from: 0, to: 3 m}
 
     supports: {A: 0, B: 6 m}                                         the first one a pin, the others rollers
+    beam: {length: 8 m, hinges: [5 m]}                               rods beam_1, beam_2 that are hinged (beam_parts.py)
 
 The beam lies level and begins at the origin; supports without names are A, B ... Loads act downwards and couples turn
 counter-clockwise where they say no direction, which is told. Supports and loads by names of points, `beam.end`, are
@@ -26,6 +27,7 @@ from freebody.language.sentences import Message, in_turn
 from freebody.language.units import FORCE, LENGTH, TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.sections import SAYS_KIND
+from freebody.system.reading.written.beam_parts import HINGES, Parts
 from freebody.system.reading.written.dimensions import dimension_said
 from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
 from freebody.system.reading.written.numbers_given import wrong_unit
@@ -53,7 +55,7 @@ VOCABULARY = Vocabulary(
     (*_BEAMS, *_SUPPORTS, *_LOADS),
     (
         *(*_ENGLISH, *_PINNED, *_ROLLERS, *_CLAMPS, *_POINTS, *_SPREAD, *_COUPLES, *_AT, *_SIZES, *_WAY, *_LENGTH),
-        *(*_MASS, *SAYS_KIND, *SAYS_NAME, *_FROM["from"], *_FROM["to"]),
+        *(*_MASS, *HINGES, *SAYS_KIND, *SAYS_NAME, *_FROM["from"], *_FROM["to"]),
     ),
 )
 
@@ -70,23 +72,27 @@ def with_beam(w: Written) -> None:
     given = w.data[beams[0]]
     fields = _in_english(cast("Entry", given)) if isinstance(given, dict) else {"length": given}
     word, length = next(((key, fields[key]) for key in _LENGTH if key in fields), ("", None))
+    hinge = next((key for key in fields if folded(key) in HINGES), "")
     beam = _Beam(beams[0], str(length), w)
-    able = length is not None and fields.keys() <= {*_LENGTH, *_MASS}
+    able = length is not None and fields.keys() <= {*_LENGTH, *_MASS, hinge}
     if at and length is not None and (why := wrong_unit(w, word, length, LENGTH)) is not None:
         w.refuse(why, beam.name, *([word] if isinstance(given, dict) else []))
     if at and not able and not beam.is_of_points(w.data.get(at)):
-        strange = [key for key in fields if key not in (*_LENGTH, *_MASS)]
-        w.refuse(_no_word(Message("a beam"), strange, ("length", "mass", "supports", "loads")), beam.name)
+        strange = [key for key in fields if key not in (*_LENGTH, *_MASS, hinge)]
+        w.refuse(_no_word(Message("a beam"), strange, ("length", "mass", "hinges", "supports", "loads")), beam.name)
+    if able and at and not beam.is_of_points(w.data.get(at)):
+        beam.parts = Parts(w, beam.name, str(length), fields.get(hinge), hinge)
     if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
         return
     masses = [fields[key] for key in _MASS if key in fields]
-    rod = {"length": length, **({"mass": masses[0]} if masses else {})}
-    body = {"rod": rod, "at": {"start": [0, 0]}, "angle": 0, "points": beam.points}
+    beam.connections |= beam.parts.joints()
+    bodies = beam.parts.bodies(masses[0] if masses else None)
     rest = {key: value for key, value in w.data.items() if key not in (beam.name, at, on)}
     ground = {"ground": {"points": beam.ground}} if beam.ground else {}
-    w.data = {**rest, **ground, "bodies": {beam.name: body}, "connections": beam.connections}
+    w.data = {**rest, **ground, "bodies": bodies, "connections": beam.connections}
     w.data |= {"loads": beam.pushed} if beam.pushed else {}
-    w.moved |= {("bodies", beam.name): (beam.name,), **beam.moved}
+    w.moved |= {**{("bodies", name): (beam.name,) for name in bodies}, **beam.moved}
+    w.moved |= {("connections", name): (beam.name, hinge) for name in beam.parts.hinges}
     w.assumed.append(
         Message(
             "the {beam} lies level from the origin to the right; loads without a direction act downwards, couples "
@@ -94,6 +100,9 @@ def with_beam(w: Written) -> None:
             beam=beam.name,
         )
     )
+    if beam.parts.hinges:
+        told = Message("{beam} is {parts}, joined by hinges", beam=beam.name, parts=in_turn(list(bodies)))
+        w.assumed.append(told)
 
 
 def _lift(w: Written, name: str, given: Entry) -> bool:
@@ -112,7 +121,7 @@ class _Beam:
 
     def __init__(self, name: str, length: str, w: Written) -> None:
         self.name, self.length, self.w = name, length, w
-        self.points: Entry = {}
+        self.parts = Parts(w, name, length, None, "")
         self.ground: Entry = {}
         self.connections: Entry = {}
         self.pushed: Entry = {}
@@ -142,7 +151,7 @@ class _Beam:
                 )
                 self.w.refuse(told, section, step)
             self._check_place(at, section, step)
-            point, there = self._point(name, at), f"ground.{name}"
+            point, there = self.parts.point(name, at), f"ground.{name}"
             self.ground[name] = [at, 0]
             if word in _ROLLERS:
                 held: Entry = {"slot": {"pin": point, "through": there, "along": "right"}}
@@ -175,33 +184,33 @@ class _Beam:
             if word is None and size is not None and not isinstance(size, list) and not self.is_of_points(given[step]):
                 told = Message("{value} is no force (N), no load per length (N/m) and no couple (N m)", value=str(size))
                 self.w.refuse(told, section, step)
-            load = (
-                None
-                if word is None or size is None
-                else self._load(name, word, size if isinstance(size, list) else str(size), fields)
-            )
             if name in self.pushed or name_problem(name) is not None:
                 return False
-            self.pushed[name] = given[step] if load is None else load  # what cannot be read is told where it stands
-            self.moved["loads", name] = (*self.w.stood((section,)), step)
+            is_able = word is not None and size is not None
+            read = self._load(name, word, size if isinstance(size, list) else str(size), fields) if is_able else {}
+            self.pushed |= read or {name: given[step]}  # what cannot be read is told where it stands
+            self.moved |= {("loads", each): (*self.w.stood((section,)), step) for each in read or (name,)}
         return True
 
-    def _load(self, name: str, word: str, size: Any, fields: Entry) -> Entry | None:
+    def _load(self, name: str, word: str, size: Any, fields: Entry) -> dict[str, Entry]:
+        """By their names the loads that one is, more than one where it runs over a hinge; none that cannot be read."""
         way, at = fields.get("direction", fields.get("along")), _one(fields, _AT)
         if word in _SPREAD:
-            ends = [_one(fields, words) for words in _FROM.values()]
-            points = [self._point(f"{name}_{k}", end) for k, end in zip(_FROM, ends, strict=True) if end is not None]
-            if len(points) != len(ends):
-                points = [f"{self.name}.start", f"{self.name}.end"]
-            return {"distributed": {"between": points, "along": way or "down", "intensity": size}}
+            start, end = (_one(fields, words) for words in _FROM.values())
+            if start is None or end is None:
+                start = end = None
+            spread = {"along": way or "down", "intensity": size}
+            pieces = self.parts.spread(name, start, end, size)
+            return {each: {"distributed": {"between": points, **spread}} for each, points in pieces.items()}
         if at is None or isinstance(size, list):
-            return None
+            return {}
         if word in _POINTS:
-            return {"force": {"at": self._point(name, at), "along": way or "down", "magnitude": size}}
+            return {name: {"force": {"at": self.parts.point(name, at), "along": way or "down", "magnitude": size}}}
         if word in _COUPLES:
             turned = {} if way is None else {"direction": way}
-            return {"torque": {"on": self._point(name, at), "magnitude": size, **turned}}
-        return None
+            point = self.parts.point(name, at, of_couple=True)
+            return {name: {"torque": {"on": point, "magnitude": size, **turned}}}
+        return {}
 
     def _check_place(self, at: Any, *place: str | int) -> None:
         """Raises ModelError where a distance from the left end has no unit, or another one."""
@@ -213,11 +222,6 @@ class _Beam:
         dimension = dimension_said(self.w, size[-1] if isinstance(size, list) and size else size)
         meant = {FORCE: _POINTS[0], FORCE / LENGTH: _SPREAD[0], TORQUE: _COUPLES[0]}
         return None if dimension is None else meant.get(dimension)
-
-    def _point(self, name: str, at: Any) -> str:
-        """A point of the beam at a distance from its left end."""
-        self.points[name] = [f"({at}) - ({self.length})/2", 0]
-        return f"{self.name}.{name}"
 
 
 def _no_word(what: Message, strange: list[str], known: tuple[str, ...]) -> Message:

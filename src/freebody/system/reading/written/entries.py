@@ -78,8 +78,10 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
     is_said = any(isinstance(given.get(key), str) for key in SAYS_KIND)
     if section == "connections":
         guide = next((key for key in given if key in (_SLIDER, *kinds_of(section)[_SLIDER].also)), None)
-        if guide is not None and _one_for_each(
-            w, name, {_SLIDER if k == guide else k: v for k, v in given.items()}, _SLIDER
+        if (
+            guide is not None
+            and not w.space
+            and _one_for_each(w, name, {_SLIDER if k == guide else k: v for k, v in given.items()}, _SLIDER)
         ):
             return
         given = _touching_in_words(w, given)

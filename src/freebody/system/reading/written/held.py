@@ -11,6 +11,7 @@ What is round may slide or roll where it lies, and what is not may be held at an
 from __future__ import annotations
 
 import re
+from math import cos
 from typing import Any, cast
 
 from freebody.connections.base import Connection
@@ -29,6 +30,8 @@ _ROLLING, _WALL = "rolling", "wall"
 _CONTACT, _PIN, _WELD, _POINT = "contact", "pin", "weld", "particle"
 _LED, _ON, _ALONG = ("body", "pin"), "on", "along"
 _OF_TOUCHING = {"friction", "restitution"}
+_BEARING = (_CONTACT, "slider", "slot", _ROLLING, _WELD)
+_ENDS = {"start": -1, "end": 1}  # of a rod, along its x axis
 
 
 def hold_bodies(w: Written) -> None:
@@ -39,6 +42,10 @@ def hold_bodies(w: Written) -> None:
     for name, entry in [*cast("Entry", bodies).items()]:
         shape = shape_of(entry)
         held = {} if shape is None else _held(name, cast("Entry", entry), shape, cast("Entry", connections))
+        for key, (called, connection, own) in held.items():
+            ends = connection.get(_PIN, [""])
+            if isinstance(ends[0], str) and ends[0].isidentifier() and ends[0] not in bodies and ends[0] != GROUND:
+                held[key] = called, {_PIN: [f"{GROUND}.{ends[0]}", *ends[1:]]}, own
         for key, (called, connection, own) in held.items():
             if called in connections:
                 continue
@@ -89,7 +96,7 @@ def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dic
             continue
         if key in LIES_ON and isinstance(value, str) and not is_round:
             on, called = value.rsplit(".", 1)[-1], f"{name}_on_{value.replace('.', '_')}"
-            is_told = any(_names(each, name) and _names(each, on) for each in connections.values())
+            is_told = any(_bears(each) and _names(each, name) and _names(each, on) for each in connections.values())
             found[key] = called, {} if is_told else {_CONTACT: {"between": [name, value], **rough}}, rough
         elif folded(key) in ATTACHED and isinstance(value, str) and (is_round or shape.kind == _POINT):
             found[key] = f"{name}_attached", {_WELD: [value, name]}, {}
@@ -98,6 +105,12 @@ def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dic
         elif written_kind(key, None, Connection.kinds, space=False) == _PIN and is_round and _is_place(value):
             found[key] = f"{name}_{key}", {_PIN: [value, name]}, {}
     return found
+
+
+def _bears(entry: Any) -> bool:
+    """Whether a connection may say how one body lies on another one: a rope that joins two does not."""
+    words = cast("Entry", entry).items() if isinstance(entry, dict) else ()
+    return any(written_kind(word, value, Connection.kinds, space=False) in _BEARING for word, value in words)
 
 
 def ground_as_line(w: Written) -> None:
@@ -137,6 +150,8 @@ def raise_walls(w: Written) -> None:
     entries = [cast("Entry", bodies[name]) if isinstance(bodies[name], dict) else {} for name in beside]
     places = [next((entry[key] for key in PLACES_OF_BODIES if key in entry), None) for entry in entries]
     left = [value_said(w, at[0]) if isinstance(at, list) and at else None for at in places]
+    if len(touching) == len(beside) == 1 and places == [None]:
+        left = [_side_of_end(w, next(iter(beside)), entries[0], touching[0])]
     sides = {x > 0 for x in left if x}
     if None in left or len(sides) != 1:
         return
@@ -146,6 +161,13 @@ def raise_walls(w: Written) -> None:
     w.assumed.append(
         Message("{wall} goes upright through the origin and is solid on the {side}", wall=_WALL, side=solid)
     )
+
+
+def _side_of_end(w: Written, name: str, entry: Entry, touching: Any) -> float | None:
+    """On which side of a wall a rod stands that leans on it with one end: where that end points, the wall is."""
+    ends = [end for end in _ENDS if _names(touching, f"{name}.{end}")]
+    angle = value_said(w, entry.get("angle")) if "angle" in entry else None
+    return None if len(ends) != 1 or angle is None else -_ENDS[ends[0]] * cos(angle)
 
 
 def _with_line(value: Any, line: str) -> Any:

@@ -1,0 +1,103 @@
+"""Slips of people who write their first files: each has one message with its cause and its cure."""
+
+from __future__ import annotations
+
+import pytest
+
+import freebody as fb
+from freebody.errors import FreebodyError
+
+_OSCILLATOR = """
+parameters: {{m: 2 kg, k: 8 N/m{more}}}
+bodies: {{machine: {{particle: {{mass: m}}}}}}
+connections: {{guide: {{slider: {{body: machine, along: up}}}}}}
+measures: {{y: height of machine}}
+loads:
+{loads}
+"""
+_ROPE = """
+parameters: {{mA: 2 kg, mB: 5 kg, mu: 0.2, g: 9.81 m/s^2, R: {R}}}
+bodies:
+  A: {{block: {{mass: mA, width: 0.2 m, height: 0.1 m}}, on: B, mu: mu}}
+  B: {{block: {{mass: mB, width: 0.6 m, height: 0.2 m}}, on: floor}}
+  pulley: {{disk: {{radius: R}}, pivot: [-1 m, 0.2 m]}}
+connections: {{rope: {{string: {{from: A, over: [pulley], to: B, grips: [pulley]}}}}}}
+loads: {{weight: {{gravity: g}}}}
+"""
+_SIDE = """
+parameters: {{m: 20 kg, R: 0.3 m, F: 400 N}}
+ground: {{lines: {{ceiling: {{along: right}}}}}}
+bodies: {{disk: {{{shape}: {size}, at: [0, -R], angle: 0}}}}
+connections: {{c: {{contact: {{between: [disk, ceiling]{more}}}}}}}
+loads: {{lift: {{force: {{at: disk, along: up, magnitude: F}}}}}}
+"""
+_DISK, _BLOCK = "{mass: m, radius: R}", "{mass: m, width: 1 m, height: 2*R}"
+_GEARS = """
+parameters: {{rs: 60 mm, rp: 30 mm, J: 1 kg m^2}}
+bodies:
+  sun: {{body: {{inertia: J, radius: rs}}}}
+  planet: {{body: {{inertia: J, radius: rp}}, at: [rs + rp, 0]}}
+  carrier: {{body: {{inertia: J}}, points: {{P: [rs + rp, 0]}}}}
+connections:
+  axle: {{pin: [ground.O, carrier]}}
+  journal: {{pin: [carrier.P, planet]}}
+  mesh: {{gear_mesh: [sun, planet]}}
+{more}
+"""
+
+
+@pytest.mark.parametrize(
+    ("text", "line", "said"),
+    [
+        (
+            _OSCILLATOR.format(more="", loads="weight: {force: {at: machine, along: up, magnitude: k}}"),
+            7,
+            "not indented",
+        ),
+        (_OSCILLATOR.format(more="", loads="  s: {law: {measure: z, force: -k*y}}"), 7, "no measure z. There is: y"),
+        (_ROPE.format(R="2*R"), 2, r"R is given by itself \(2\*R\)"),
+        ("bodies: {c: {rod: {length: 1 m, inertia: 2 kg m^2}}}", 1, "follows from its mass and its length"),
+    ],
+)
+def test_one_message_for_one_slip(text: str, line: int, said: str) -> None:
+    with pytest.raises(FreebodyError, match=said) as error:
+        fb.System.from_text(text)
+    (problem,) = error.value.problems  # type: ignore[attr-defined]
+    assert problem.line == line
+
+
+@pytest.mark.parametrize("touching", ["", ", touching: true"])
+@pytest.mark.parametrize(("shape", "size"), [("disk", _DISK), ("rectangle", _BLOCK)])
+def test_a_body_on_the_other_side_of_its_line(shape: str, size: str, touching: str) -> None:
+    text = _SIDE.format(shape=shape, size=size, more=touching)
+    with pytest.raises(FreebodyError, match="below: true"):
+        fb.System.from_text(text).solve("normal force of c")
+
+
+def test_a_body_lies_on_one_to_which_a_rope_ties_it() -> None:
+    system = fb.System.from_text(_ROPE.format(R="0.1 m"))
+    assert {"A_on_B", "B_on_floor"} <= {*system.connections}
+
+
+def test_a_ladder_leans_on_a_wall_on_the_side_of_its_end() -> None:
+    text = """
+    parameters: {m: 10 kg, L: 4 m, alpha: 60 deg, g: 9.81 m/s^2}
+    bodies: {ladder: {mass: m, length: L, angle: %s}}
+    contacts: {foot: {body: ladder.start, on: floor, mu: 0.5}, top: {body: ladder.end, on: wall}}
+    gravity: g
+    """
+    for angle, solid in (("alpha", "right"), ("120 deg", "left")):
+        told = [str(each) for each in fb.System.from_text(text % angle).assumptions]
+        assert any(f"wall goes upright through the origin and is solid on the {solid}" in each for each in told)
+
+
+def test_a_wheel_turns_about_a_point_that_only_it_names() -> None:
+    system = fb.System.from_text("bodies: {wheel: {disk: {mass: 2 kg, radius: 1 m}, pivot: O}}")
+    assert "O" in system.bodies["ground"].points
+
+
+def test_a_wheel_without_an_axle_where_there_is_one() -> None:
+    kinds = [each.kind for each in fb.System.from_text(_GEARS.format(more="")).warnings]
+    assert "axle missing" in kinds
+    held = fb.System.from_text(_GEARS.format(more="  bearing: {pin: [ground.O, sun]}"))
+    assert "axle missing" not in [each.kind for each in held.warnings]
