@@ -19,6 +19,7 @@ from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
 from freebody.questions.spoken.for_good import at_last_rest, without_for_good
 from freebody.questions.spoken.in_terms_of import misspelt
+from freebody.questions.spoken.later import later
 from freebody.questions.spoken.leaving_out import at_rest_without, without_load, without_several
 from freebody.questions.spoken.levels import told_above, with_height_of_mass_center
 from freebody.questions.spoken.naming import elements_of
@@ -148,6 +149,7 @@ FORMS: tuple[Form, ...] = (
     _reworded(lambda names, text: without_context(names, elements_of(names), text)),
     _at_later_impact,
     lambda a: a.of_grammar(between_impacts(a.text)),
+    _told(later),
     lambda a: a.refused(without_several(a.names, a.text)),
     _without_a_load,
     _for_good,

@@ -278,9 +278,15 @@ def rivals(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 @cache
 def comparisons(language: str) -> tuple[tuple[re.Pattern[str], str, str], ...]:
-    """Patterns for questions which of two things is greater, and what both sides are."""
+    """Patterns for questions which of two things is greater, and what both sides are. In them {comparative} stands for
+    words that compare."""
     rules = cast("list[list[str]]", _file(language)["several"]["compared"])
-    return tuple((re.compile(pattern, re.IGNORECASE), first, second) for pattern, first, second in rules)
+    told = compared_in(language, "comparatives")
+    words = "|".join(sorted((word for side in told.values() for word in side), key=len, reverse=True))
+    return tuple(
+        (re.compile(pattern.replace("{comparative}", f"(?:{words})"), re.IGNORECASE), first, second)
+        for pattern, first, second in rules
+    )
 
 
 @cache

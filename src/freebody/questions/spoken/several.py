@@ -248,6 +248,30 @@ def named_instead(names: Names, elements: Elements, text: str, first: str) -> st
     return text
 
 
+def of_owner(names: Names, elements: Elements, text: str, first: str) -> str:
+    """A text in which its weight is the weight of the only body that moves of those which another names."""
+    for language in languages():
+        pattern = contexts(language).get("its")
+        if pattern is None or (own := re.compile(pattern, re.IGNORECASE)).search(text) is None:
+            continue
+        for way in linked(elements, in_english_nouns(first, language, elements.taken))[:1]:
+            marked = [name for name in lookup.moving(names) if f"{OPEN}{name}{CLOSE}" in way.text]
+            if len(marked) == 1:
+                return own.sub(rf"\g<what> {contexts(language)['of_whom']} {marked[0]}", text)
+    return text
+
+
+def multiple_of(text: str) -> tuple[str, str] | None:
+    """The factor, and of what, where a text says a multiple of something: half the weight, 3 times the weight."""
+    for language in languages():
+        pattern = contexts(language).get("multiple")
+        if pattern is not None and (found := re.match(pattern, text, re.IGNORECASE)) is not None:
+            factors = dict(re.findall(r"(\S+)=(\S+)", contexts(language)["weight_factors"]))
+            factor = found["count"] or factors.get((found["factor"] or "").lower(), "")
+            return (factors.get(factor.lower(), factor), text[found.end() :]) if factor else None
+    return None
+
+
 def _tail(text: str, language: str) -> str:
     """What is said of when at the end of a text, where it is not what is asked."""
     words = text.lower().replace("ß", "ss").split()
