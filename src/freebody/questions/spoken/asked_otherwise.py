@@ -13,7 +13,7 @@ from freebody.language.sentences import Message
 from freebody.questions.spoken.at_distances import at_a_distance
 from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
-from freebody.questions.spoken.changing import changed_by
+from freebody.questions.spoken.changing import changed_by, changed_together
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
@@ -25,6 +25,7 @@ from freebody.questions.spoken.levels import told_above, with_height_of_mass_cen
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.pointing import pointing
+from freebody.questions.spoken.restating import restated
 from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.unread import AskedT, Unread, read_quietly
 from freebody.questions.spoken.ways import with_own_letters
@@ -146,6 +147,7 @@ def _with_an_equilibrium(a: Asking[AskedT]) -> Found[AskedT] | None:
 
 FORMS: tuple[Form, ...] = (
     _reworded(lambda names, text: with_own_letters(names, written_out(text))),
+    _reworded(lambda _names, text: restated(text)),
     _reworded(lambda names, text: without_context(names, elements_of(names), text)),
     _at_later_impact,
     lambda a: a.of_grammar(between_impacts(a.text)),
@@ -165,6 +167,7 @@ FORMS: tuple[Form, ...] = (
     _told(told_above),
     _told(halfway),
     _reworded(with_shares),
+    lambda a: a.refused(changed_together(a.names, a.text)),
     _told(changed_by),
     _told_again(over_a_turn),
     _told_again(at_a_distance),

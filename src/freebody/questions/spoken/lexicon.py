@@ -53,6 +53,7 @@ _NO_WORDS = (
     "changes",
     "comparatives",
     "relations",
+    "restated",
     "shares",
     "levels",
     "numerals",
@@ -461,7 +462,7 @@ def values_stated(language: str) -> dict[str, str]:
 def compared_in(language: str, table: str) -> dict[str, Any]:
     """Patterns for what is compared, and what comparatives are compared in. Nothing where a language has none."""
     own = cast("dict[str, Any]", _file(language).get(table, {}))
-    return {**cast("dict[str, Any]", _file(language)["comparatives"]), **own} if own else {}
+    return {**cast("dict[str, Any]", _file(language).get("comparatives", {})), **own} if own else {}
 
 
 @cache
@@ -475,6 +476,14 @@ def comparing(language: str, table: str, key: str, k: int | None = None) -> re.P
         listed = words if isinstance(words, str) else "|".join(sorted(words, key=len, reverse=True))
         written = f"{written[: place.start()]}{listed}{written[place.end() :]}"
     return re.compile(written, re.IGNORECASE)
+
+
+@cache
+def restatements(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for what is said otherwise than it is asked for elsewhere, and how it is asked for."""
+    told = cast("dict[str, Any]", _file(language).get("restated", {}))
+    n_rules = len(told.get("rules", ()))
+    return tuple((comparing(language, "restated", "rules", k), str(told["rules"][k][1])) for k in range(n_rules))
 
 
 @cache
