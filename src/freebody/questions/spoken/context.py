@@ -51,6 +51,9 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
             head = text[: behind.start()]
             if re.search(patterns["timed"], head, re.IGNORECASE) is not None:
                 text = head
+        from_rest = patterns.get("from_rest")
+        if from_rest is not None and lookup.rests(names) and re.search(patterns["timed"], text, re.IGNORECASE):
+            text = re.sub(from_rest, "", text, flags=re.IGNORECASE)
         text = _without_statements(names, elements, text, language)
     return text
 

@@ -81,6 +81,11 @@ def sides_of(elements: Elements, text: str) -> tuple[str, str] | None:
     return None
 
 
+def asks_again(text: str) -> bool:
+    """Whether a text has a second question word behind a conjunction: what force holds it, and what force lifts it."""
+    return any(several(language, "again").search(text) for language in languages())
+
+
 def of_rivals(elements: Elements, text: str) -> str:
     """The text in which both are asked for, where it asks which of them is larger: their values tell."""
     if sides := sides_of(elements, text):

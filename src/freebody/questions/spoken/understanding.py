@@ -21,6 +21,7 @@ from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
     is_kept,
+    is_of_itself,
     is_one_without_other,
     loses_failure,
     loses_height,
@@ -35,7 +36,7 @@ from freebody.questions.spoken.lexicon import Word, languages, several, vocabula
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.relating import loses_share, related
-from freebody.questions.spoken.several import each_of, multiple_of, named_instead, of_owner, of_rivals, parts, sides_of
+from freebody.questions.spoken.several import asks_again, each_of, multiple_of, named_instead, of_owner, of_rivals, parts, sides_of
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -77,6 +78,7 @@ _WHAT_IS = re.compile(
 )
 _UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
+_VALUE = re.compile(r"\d[\d.]*(?: [\w/^*° ]+)?")
 _AT_ONE = re.compile(r".+?(?P<when> (?:at start|when .+))\n.+(?P=when)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
@@ -122,6 +124,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         lambda other: understood(names, other, read),
         lambda other: _quietly_one(names, other, read),
     )
+    if asks_again(text) and (parted := _several(names, text, read)):
+        return parted
     if (found := otherwise(asking)) is not None:
         return found
     if (sides := sides_of(elements_of(names), text)) is not None:
@@ -284,6 +288,8 @@ def _compared(
     elements = elements_of(names)
     owned = (sides[0], of_owner(names, elements, sides[1], sides[0]))
     each = [words for side in owned if (words := _words(names, side, read))]
+    if len(each) < len(sides) and _VALUE.fullmatch(sides[1]):
+        return []
     if len(each) < len(sides):
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
@@ -300,6 +306,8 @@ def _compared(
 def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str:
     """A side of a comparison in the words of the grammar: a quantity, a multiple of one, or an expression in the
     parameters."""
+    if _VALUE.fullmatch(text):
+        return text
     if (multiple := multiple_of(text)) is not None:
         of = _words(names, multiple[1], read)
         return f"({of})*{multiple[0]}" if of else ""
@@ -403,7 +411,7 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     """What is asked of the event at which, or up to which, the first question is meant."""
     event = re.search(r"(?<=\s)(?:when|until) (.+)$", first)
     if event is None:
-        return []
+        return _one(names, f"{text} at start", read) if first.endswith(" at start") else []
     plain = _one(names, text, read)
     heads = (text, *([plain[0][1]] if len(plain) == 1 else []))  # as it is understood: in the words of the event
     said = (f"{head} {mark} {event[1]}" for head in heads for mark in ("when", "until"))
@@ -482,7 +490,7 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
-            here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
+            here = {words: asked for words, asked in here.items() if not (loses_sign(text, words) or is_of_itself(words))}
             here = {words: asked for words, asked in here.items() if not loses_failure(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_mass_center(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
