@@ -50,7 +50,8 @@ def changed_by(names: Names, text: str, said: Callable[[str], str]) -> str:
     for language in languages():
         if not compared_in(language, "changes"):
             continue
-        for question, altered in _parted(names, text, language):
+        plain = _pattern(language, "unchanged").sub("", text)
+        for question, altered in _parted(names, plain, language):
             for kind, asked in _asked(question, language):
                 read = said(asked)
                 if read and not any(_is_no_answer(names, one) for one in read.split(JOINT)):
@@ -97,7 +98,9 @@ def _all_meant(names: Names, what: str, language: str) -> list[str]:
     kinds = meant_by(said, language) or meant_by(re.sub("(?:es|s)$", "", said), language)
     if kinds == {"mass"}:
         return _masses(names, is_pair=found["two"] is not None)
-    return [*dict.fromkeys(one for kind in kinds for one in given.parameters(names, kind, "") or given.of_kind(names, kind))]
+    return [
+        *dict.fromkeys(one for kind in kinds for one in given.parameters(names, kind, "") or given.of_kind(names, kind))
+    ]
 
 
 def _masses(names: Names, *, is_pair: bool) -> list[str]:

@@ -282,8 +282,8 @@ def comparisons(language: str) -> tuple[tuple[re.Pattern[str], str, str], ...]:
     """Patterns for questions which of two things is greater, and what both sides are. In them {comparative} stands for
     words that compare."""
     rules = cast("list[list[str]]", _file(language)["several"]["compared"])
-    told = compared_in(language, "comparatives")
-    words = "|".join(sorted((word for side in told.values() for word in side), key=len, reverse=True))
+    told = cast("dict[str, dict[str, str]]", compared_in(language, "comparatives"))
+    words = "|".join(sorted([word for side in told.values() for word in side], key=lambda word: -len(word)))
     return tuple(
         (re.compile(pattern.replace("{comparative}", f"(?:{words})"), re.IGNORECASE), first, second)
         for pattern, first, second in rules

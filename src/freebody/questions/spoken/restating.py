@@ -1,5 +1,5 @@
-"""What is said otherwise than it is asked for elsewhere, by rules of a file of its own (xx.restating.toml): while the bob
-circles steadily is in steady motion; to two decimal places says nothing of what is asked.
+"""What is said otherwise than it is asked for elsewhere, by rules of a file of its own (xx.restating.toml): while the
+bob circles steadily is in steady motion; to two decimal places says nothing of what is asked.
 
 They come before names are looked for: a part of the rope is no part of the model.
 """

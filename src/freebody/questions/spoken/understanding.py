@@ -36,7 +36,16 @@ from freebody.questions.spoken.lexicon import Word, languages, several, vocabula
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.relating import loses_share, related
-from freebody.questions.spoken.several import asks_again, each_of, multiple_of, named_instead, of_owner, of_rivals, parts, sides_of
+from freebody.questions.spoken.several import (
+    asks_again,
+    each_of,
+    multiple_of,
+    named_instead,
+    of_owner,
+    of_rivals,
+    parts,
+    sides_of,
+)
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -333,7 +342,11 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             continue
         found_here: list[tuple[AskedT, str]] = []
         for part in way:
-            texts = [*part.texts, *_of_first(names, elements, part.texts, way[0].said)] if part is not way[0] else part.texts
+            texts = (
+                [*part.texts, *_of_first(names, elements, part.texts, way[0].said)]
+                if part is not way[0]
+                else part.texts
+            )
             every = (_one_or_each(names, elements, said, read) for said in texts)
             before = [asked for asked, _ in found_here]
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
@@ -354,10 +367,9 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
 
 
 def _of_first(names: Names, elements: Elements, texts: Sequence[str], first: str) -> list[str]:
-    """Texts with the body that the first question names, where they say it, or its."""
+    """Texts in which what is its own is that of the body that the first question names."""
     owned = (of_owner(names, elements, text, first) for text in texts)
-    named = (named_instead(names, elements, text, first) for text in owned)
-    return [text for text in dict.fromkeys(named) if text not in texts]
+    return [text for text in dict.fromkeys(owned) if text not in texts]
 
 
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
@@ -490,7 +502,9 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
-            here = {words: asked for words, asked in here.items() if not (loses_sign(text, words) or is_of_itself(words))}
+            here = {
+                words: asked for words, asked in here.items() if not (loses_sign(text, words) or is_of_itself(words))
+            }
             here = {words: asked for words, asked in here.items() if not loses_failure(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_mass_center(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
