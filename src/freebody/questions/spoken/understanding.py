@@ -87,6 +87,7 @@ _WHAT_IS = re.compile(
 )
 _UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
+_OF_EVENTS = re.compile(r" (?:when|until|between) ")
 _VALUE = re.compile(r"\d[\d.]*(?: [\w/^*° ]+)?")
 _AT_ONE = re.compile(r".+?(?P<when> (?:at start|when .+))\n.+(?P=when)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
@@ -306,7 +307,8 @@ def _compared(
         return []
     same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
     first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
-    for words in (f"which is greater, {first} or {second}", f"({each[0]}) - ({each[1]})"):
+    at_events = [f"({each[0]}) - ({each[1]})"] if _OF_EVENTS.search(" ".join(each)) else []
+    for words in (f"which is greater, {first} or {second}", *at_events):
         if not isinstance(asked := read_quietly(names, words, read), Unread):
             return [*zip(asked, (words,), strict=True)]
     return []
