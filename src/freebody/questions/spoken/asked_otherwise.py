@@ -13,17 +13,19 @@ from freebody.language.sentences import Message
 from freebody.questions.spoken.at_distances import at_a_distance
 from freebody.questions.spoken.averages import over_a_turn
 from freebody.questions.spoken.bounces import as_third, at_nth, between_impacts
-from freebody.questions.spoken.changing import changed_by
+from freebody.questions.spoken.changing import changed_by, changed_together
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.context import without_context
 from freebody.questions.spoken.existing import for_which_there_is_one, where_there_is_one
 from freebody.questions.spoken.for_good import at_last_rest, without_for_good
 from freebody.questions.spoken.in_terms_of import misspelt
+from freebody.questions.spoken.later import later
 from freebody.questions.spoken.leaving_out import at_rest_without, without_load, without_several
 from freebody.questions.spoken.levels import told_above, with_height_of_mass_center
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.open_loads import as_force, size_that_balances
 from freebody.questions.spoken.pointing import pointing
+from freebody.questions.spoken.restating import restated
 from freebody.questions.spoken.shares import halfway, with_shares
 from freebody.questions.spoken.unread import AskedT, Unread, read_quietly
 from freebody.questions.spoken.ways import with_own_letters
@@ -145,9 +147,11 @@ def _with_an_equilibrium(a: Asking[AskedT]) -> Found[AskedT] | None:
 
 FORMS: tuple[Form, ...] = (
     _reworded(lambda names, text: with_own_letters(names, written_out(text))),
+    _reworded(lambda _names, text: restated(text)),
     _reworded(lambda names, text: without_context(names, elements_of(names), text)),
     _at_later_impact,
     lambda a: a.of_grammar(between_impacts(a.text)),
+    _told(later),
     lambda a: a.refused(without_several(a.names, a.text)),
     _without_a_load,
     _for_good,
@@ -163,6 +167,7 @@ FORMS: tuple[Form, ...] = (
     _told(told_above),
     _told(halfway),
     _reworded(with_shares),
+    lambda a: a.refused(changed_together(a.names, a.text)),
     _told(changed_by),
     _told_again(over_a_turn),
     _told_again(at_a_distance),

@@ -29,7 +29,7 @@ def without_what_holds(names: Names, text: str) -> str:
     """The text without clauses that assume what holds in the model."""
     for clause, what, _ in _assumed(text):
         if what not in (_HELD, _CUT) and not _against(names, what):
-            text = " ".join(text.replace(clause, " ").split()).strip(" ,")
+            text = " ".join(text.replace(clause, " ").split()).strip(" ,").removeprefix(". ")
     return text
 
 

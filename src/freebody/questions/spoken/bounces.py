@@ -35,7 +35,11 @@ _SAID = (
 )  # fmt: skip
 _COUNTED = r"(?:first|second|third|fourth|fifth|\d+(?:st|nd|rd|th))"
 _BETWEEN = (
-    rf"(?:how long(?: (?:is it|does it take|is there))?|(?:how much |what )?(?:is the |the )?(?:time|interval))"
+    rf"how much later (?:does|is|will|do) (?:the )?(?P<b>{_COUNTED}) (?:impact|bounce|hit|rebound|landing)"
+    rf"(?: (?:come|comes|occur|happen|follow|take place|be))? (?:than|after) (?:the )?(?P<a>{_COUNTED})"
+    r"(?: (?:one|impact|bounce|hit|rebound|landing))?[?. ]*",
+    r"(?:how long(?: (?:is it|does it take|is there|(?:is|does|will) (?:the )?\w+ (?:stay |be )?"
+    r"(?:in the air|airborne|in flight)))?|(?:how much |what )?(?:is the |the )?(?:time|interval))"
     rf"(?: (?:passes|elapses|goes by|lies|is there))? (?:between|from) (?:the |its )?(?P<a>{_COUNTED})"
     r"(?: (?:impact|bounce|hit|rebound|landing))? (?:and|to|until|till) (?:the |its )?"
     rf"(?P<b>{_COUNTED}) (?:impact|bounce|hit|rebound|landing)[?. ]*",

@@ -9,14 +9,18 @@ from __future__ import annotations
 import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
+from fractions import Fraction
 from typing import TYPE_CHECKING
 
-from freebody.questions.spoken import given
+from freebody.language.sentences import Message
+from freebody.questions.spoken import given, lookup
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.keeping import n_freedoms
 from freebody.questions.spoken.lexicon import compared_in, comparing, languages
+from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.relating import NO_QUANTITY
 from freebody.questions.spoken.sought import parameter_meant
+from freebody.questions.spoken.unchosen import meant_by
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -27,6 +31,7 @@ _OF_STATE = re.compile(
     r"(?:(?:angular )?(?:speed|velocity)|height|position|(?:kinetic|potential|total) energy"
     r"|(?:linear|angular) momentum)(?: (?:of|along|about|relative to) [\w.]+)*"
 )
+_PAIR = 2
 _COUNT = re.compile(r"(?P<n>\d+(?:\.\d+)?) times", re.IGNORECASE)
 
 
@@ -45,13 +50,77 @@ def changed_by(names: Names, text: str, said: Callable[[str], str]) -> str:
     for language in languages():
         if not compared_in(language, "changes"):
             continue
-        for question, altered in _parted(names, text, language):
+        plain = _pattern(language, "unchanged").sub("", text)
+        for question, altered in _parted(names, plain, language):
             for kind, asked in _asked(question, language):
                 read = said(asked)
                 if read and not any(_is_no_answer(names, one) for one in read.split(JOINT)):
                     to = f"as {altered.parameter} -> {altered.value}"
                     return JOINT.join(f"{kind} of {one} {to}" for one in read.split(JOINT))
     return ""
+
+
+def changed_together(names: Names, text: str) -> Message | None:
+    """What is said of a text that changes several parameters at once: both masses are doubled."""
+    text = text.strip(" ?.!")
+    for language in languages():
+        if not compared_in(language, "changes"):
+            continue
+        for key in ("behind", "before"):
+            found = _pattern(language, key).search(text)
+            if found is None or _is_of_motion(found, language):
+                continue
+            for k in range(len(compared_in(language, "changes")["clauses"])):
+                clause = _pattern(language, "clauses", k).fullmatch(found["clause"])
+                each = [] if clause is None else _all_meant(names, clause["what"], language)
+                told = [] if clause is None else [_as_altered(one, clause, language) for one in each]
+                if len(told) > 1 and None not in told:
+                    question = f"{text[: found.start()]}{text[found.end() :]}".strip(" ,")
+                    asked = next((one for _kind, one in _asked(question, language)), question)
+                    return Message(
+                        "{parameters} change at once: ask for {quantity}, and for it again with {settings}",
+                        parameters=", ".join(each),
+                        quantity=asked,
+                        settings=" ".join(f"--set '{one.parameter}={_number(names, one)}'" for one in told if one),
+                    )
+    return None
+
+
+def _all_meant(names: Names, what: str, language: str) -> list[str]:
+    """The parameters of which something is said together: m1 and m2, both masses, the stiffness of all springs."""
+    symbols = [word for word in re.findall(r"[^\W\d]\w*", what) if word in names.parameters]
+    if len({*symbols}) > 1:
+        return [*dict.fromkeys(symbols)]
+    found = _pattern(language, "all_of").match(what)
+    if found is None:
+        return []
+    said = (found["things"] or found["kind"]).lower()
+    kinds = meant_by(said, language) or meant_by(re.sub("(?:es|s)$", "", said), language)
+    if kinds == {"mass"}:
+        return _masses(names, is_pair=found["two"] is not None)
+    return [
+        *dict.fromkeys(one for kind in kinds for one in given.parameters(names, kind, "") or given.of_kind(names, kind))
+    ]
+
+
+def _masses(names: Names, *, is_pair: bool) -> list[str]:
+    """The masses of all bodies; of those that are no wheels or pulleys, where two of several are meant."""
+    each = {body: given.parameters(names, "mass", body) for body in lookup.moving(names)}
+    told = {body: own[0] for body, own in each.items() if len(own) == 1}
+    if is_pair and len({*told.values()}) > _PAIR:
+        told = {body: own for body, own in told.items() if body not in elements_of(names).radii}
+    found = [*dict.fromkeys(told.values())]
+    return [] if is_pair and len(told) != _PAIR else found
+
+
+def _number(names: Names, altered: _Altered) -> str:
+    """The other value of a parameter, with its unit, where the file gives one; else how it is calculated."""
+    parameter = names.parameters[altered.parameter]
+    factor = re.fullmatch(r"(?P<factor>[\d./]+)\*\w+", altered.value)
+    if factor is None or parameter.value is None:
+        return altered.value
+    unit = "rad" if parameter.is_angle else re.sub("^1$", "", str(parameter.dimension))
+    return f"{float(Fraction(factor['factor']) * Fraction(parameter.value)):g} {unit}".strip()
 
 
 def _is_no_answer(names: Names, words: str) -> bool:
@@ -100,9 +169,16 @@ def _altered(names: Names, found: re.Match[str], language: str) -> _Altered | No
     what = said["what"]
     if (adjective := (said.get("adjective") or "").lower()) in told["adjectives"]:
         what = told["of"].format(quantity=told["adjectives"][adjective], thing=what)
-    parameter = parameter_meant(names, what, language)
+    each = _all_meant(names, what, language)
+    parameter = parameter_meant(names, what, language) or (each[0] if len(each) == 1 else None)
     if parameter is None or (adjective and adjective not in (*told["adjectives"], *told["any"])):
         return None
+    return _as_altered(parameter, found, language)
+
+
+def _as_altered(parameter: str, found: re.Match[str], language: str) -> _Altered | None:
+    """What a clause makes of a parameter."""
+    said, told = found.groupdict(), compared_in(language, "changes")
     if times := said.get("times"):
         n = _COUNT.fullmatch(times)
         factor = told["times"].get(times.lower(), "") if n is None else n["n"]

@@ -30,9 +30,9 @@ _SLIPS = {"roll", "slide"}
 # with what leads it: a block of 2 kg, a mass m = 2 kg
 _VALUE = re.compile(
     r"(?: (?:of|with|from|at|von|mit|aus|bei)(?: an?| the| einer?| einem)?)?(?: [^\W\d]\w* ?=)? "
-    r"(?P<value>\d[\d.,]*(?: ?[A-Za-z°][\w/^*°]*(?: m\b(?:/s)?)?))"
+    r"(?P<value>\d[\d.,]*(?: ?(?:1/)?[A-Za-z°][\w/^*°]*(?: m\b(?:/s)?)?))"
 )
-_EQUAL = re.compile(r"(?P<name>[^\W\d]\w*) ?= ?(?P<value>-?\d[\d.]*(?: ?[A-Za-z°][\w/^*°]*)?)")
+_EQUAL = re.compile(r"(?P<name>[^\W\d]\w*) ?= ?(?P<value>-?\d[\d.]*(?: ?(?:1/)?[A-Za-z°][\w/^*°]*)?)")
 
 
 def without_context(names: Names, elements: Elements, text: str) -> str:
@@ -51,6 +51,9 @@ def without_context(names: Names, elements: Elements, text: str) -> str:
             head = text[: behind.start()]
             if re.search(patterns["timed"], head, re.IGNORECASE) is not None:
                 text = head
+        from_rest = patterns.get("from_rest")
+        if from_rest is not None and lookup.rests(names) and re.search(patterns["timed"], text, re.IGNORECASE):
+            text = re.sub(from_rest, "", text, flags=re.IGNORECASE)
         text = _without_statements(names, elements, text, language)
     return text
 

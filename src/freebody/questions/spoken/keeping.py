@@ -55,6 +55,7 @@ _GIVEN_TURNED = re.compile(
     r"(?:value|range) of (?P<parameter>\w+) for which \|?(?:force|torque) (?:in|of) (?P<load>\w+)\|? "
     r"(?:is (?:least|largest)|=)"
 )
+_BY_ITSELF = re.compile(r"change of (\w+) until \1 has (?:changed|moved) ")
 _OF_TENSION = re.compile(r"\b(?:tension|axial force) of [\w.]+(?: at [\w.]+)? [<>]?=? ?\d")
 _CALLED_JOINT = re.compile(  # the bearing A
     r"\b(?:bearing|hinge|pin|joint|support|axle|pivot|Lager|Auflager|Gelenk|Bolzen|Achse) ([^\W\d]\w*)\b(?!\.)"
@@ -195,6 +196,11 @@ def loses_height(names: Names, said: str, text: str) -> bool:
 def is_pressed(said: str) -> bool:
     """Whether a text speaks of compression, in which the force of a bar has the other sign."""
     return _says("pressed", said)
+
+
+def is_of_itself(text: str) -> bool:
+    """Whether words ask how far a measure comes until it has come so far: what is to come so far is another one."""
+    return _BY_ITSELF.match(text) is not None
 
 
 def loses_sign(said: str, text: str) -> bool:

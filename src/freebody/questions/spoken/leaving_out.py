@@ -32,9 +32,10 @@ def without_load(names: Names, text: str) -> tuple[str, str] | None:
 def without_several(names: Names, text: str) -> Message | None:
     """What is said of a text that leaves out several loads at once."""
     for language in languages():
-        several = contexts(language)["left_out"].format(name=rf"{NAME}(?:(?:, ?| and | und | or | oder ){NAME})+")
+        joint = contexts(language)["listed"]
+        several = contexts(language)["left_out"].format(name=f"{NAME}(?:(?:{joint}){NAME})+")
         for found in re.finditer(several, text, re.IGNORECASE):
-            loads = [loads_by(names, word) for word in re.split(r", ?| and | und | or | oder ", found["load"])]
+            loads = [loads_by(names, word) for word in re.split(joint, found["load"], flags=re.IGNORECASE)]
             if all(len(one) == 1 for one in loads):
                 return Message("one load at a time is left out: without {load}", load=loads[0][0])
     return None

@@ -53,6 +53,7 @@ _NO_WORDS = (
     "changes",
     "comparatives",
     "relations",
+    "restated",
     "shares",
     "levels",
     "numerals",
@@ -278,9 +279,15 @@ def rivals(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
 
 @cache
 def comparisons(language: str) -> tuple[tuple[re.Pattern[str], str, str], ...]:
-    """Patterns for questions which of two things is greater, and what both sides are."""
+    """Patterns for questions which of two things is greater, and what both sides are. In them {comparative} stands for
+    words that compare."""
     rules = cast("list[list[str]]", _file(language)["several"]["compared"])
-    return tuple((re.compile(pattern, re.IGNORECASE), first, second) for pattern, first, second in rules)
+    told = cast("dict[str, dict[str, str]]", compared_in(language, "comparatives"))
+    words = "|".join(sorted([word for side in told.values() for word in side], key=lambda word: -len(word)))
+    return tuple(
+        (re.compile(pattern.replace("{comparative}", f"(?:{words})"), re.IGNORECASE), first, second)
+        for pattern, first, second in rules
+    )
 
 
 @cache
@@ -455,7 +462,7 @@ def values_stated(language: str) -> dict[str, str]:
 def compared_in(language: str, table: str) -> dict[str, Any]:
     """Patterns for what is compared, and what comparatives are compared in. Nothing where a language has none."""
     own = cast("dict[str, Any]", _file(language).get(table, {}))
-    return {**cast("dict[str, Any]", _file(language)["comparatives"]), **own} if own else {}
+    return {**cast("dict[str, Any]", _file(language).get("comparatives", {})), **own} if own else {}
 
 
 @cache
@@ -469,6 +476,14 @@ def comparing(language: str, table: str, key: str, k: int | None = None) -> re.P
         listed = words if isinstance(words, str) else "|".join(sorted(words, key=len, reverse=True))
         written = f"{written[: place.start()]}{listed}{written[place.end() :]}"
     return re.compile(written, re.IGNORECASE)
+
+
+@cache
+def restatements(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for what is said otherwise than it is asked for elsewhere, and how it is asked for."""
+    told = cast("dict[str, Any]", _file(language).get("restated", {}))
+    n_rules = len(told.get("rules", ()))
+    return tuple((comparing(language, "restated", "rules", k), str(told["rules"][k][1])) for k in range(n_rules))
 
 
 @cache

@@ -24,7 +24,7 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _NUMBER = r"\d+(?:[.,]\d+)?"
-_UNIT = r" ?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?:/[a-z]+)?(?!\w))*"
+_UNIT = r" ?(?:1/)?[A-Za-z°][A-Za-z0-9/^]*(?: (?:m|s)(?:\^?2)?(?:/[a-z]+)?(?!\w))*"
 _FORCE = r" ?[kM]?N(?: ?(?:m|mm|cm))?"
 _PLACES = {  # of the patterns in the languages' files
     "{value}": rf"(?P<value>{_NUMBER}(?:{_UNIT})?)",

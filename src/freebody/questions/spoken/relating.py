@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from freebody.language.units import Dimension
     from freebody.model.names import Names
 
-_SIGNS = {"ratio": "/", "difference": "-"}
+_SIGNS = {"ratio": "/", "difference": "-", "relative": "relative"}
 NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|when|degrees|conserved|stability|value|range) ")
 _IS_RATIO = re.compile(r"/|\b(?:ratio|factor|decrement|efficiency|advantage|transmissibility|coefficient|share)\b")
 _BEARING = re.compile(r"vertical reaction of (?P<of>\w+)")
@@ -56,7 +56,7 @@ def related(
                     first = f"{first} on {weight['body']}"
                 if first and second:
                     is_less = bool(found.groupdict().get("less"))
-                    yield from _joined(_SIGNS[how], *((second, first) if is_less else (first, second)))
+                    yield from _joined(_SIGNS[how], first, second, is_less=is_less)
 
 
 def loses_share(text: str, words: str) -> bool:
@@ -112,7 +112,13 @@ def _is_of_surface(names: Names, read: str) -> bool:
     return found is None or bool({"contact", "slider"} & {*names.called.get(found["of"], ())})
 
 
-def _joined(sign: str, first: str, second: str) -> Iterator[str]:
+def _joined(sign: str, first: str, second: str, *, is_less: bool) -> Iterator[str]:
+    if sign == "relative":  # by what fraction a is larger than b, or smaller: of b
+        more, less = (second, first) if is_less else (first, second)
+        yield f"(({more}) - ({less})) / ({second})"
+        return
+    if is_less:
+        first, second = second, first
     there = _WHEN.search(second)
     if there is not None and not _TIMED.search(first) and not _TIMED.search(second[: there.start()]):
         second = second[: there.start()]  # the instant that is said last is that of both

@@ -81,6 +81,11 @@ def sides_of(elements: Elements, text: str) -> tuple[str, str] | None:
     return None
 
 
+def asks_again(text: str) -> bool:
+    """Whether a text has a second question word behind a conjunction: what force holds it, and what force lifts it."""
+    return any(several(language, "again").search(text) for language in languages())
+
+
 def of_rivals(elements: Elements, text: str) -> str:
     """The text in which both are asked for, where it asks which of them is larger: their values tell."""
     if sides := sides_of(elements, text):
@@ -246,6 +251,30 @@ def named_instead(names: Names, elements: Elements, text: str, first: str) -> st
                 is_it = [any(w == _IT for w, _ in phrases_at(word.lower(), 0, language)) for word in text.split()]
                 return " ".join(name if it else word for word, it in zip(text.split(), is_it, strict=True))
     return text
+
+
+def of_owner(names: Names, elements: Elements, text: str, first: str) -> str:
+    """A text in which its weight is the weight of the only body that moves of those which another names."""
+    for language in languages():
+        pattern = contexts(language).get("its")
+        if pattern is None or (own := re.compile(pattern, re.IGNORECASE)).search(text) is None:
+            continue
+        for way in linked(elements, in_english_nouns(first, language, elements.taken))[:1]:
+            marked = [name for name in lookup.moving(names) if f"{OPEN}{name}{CLOSE}" in way.text]
+            if len(marked) == 1:
+                return own.sub(rf"\g<what> {contexts(language)['of_whom']} {marked[0]}", text)
+    return text
+
+
+def multiple_of(text: str) -> tuple[str, str] | None:
+    """The factor, and of what, where a text says a multiple of something: half the weight, 3 times the weight."""
+    for language in languages():
+        pattern = contexts(language).get("multiple")
+        if pattern is not None and (found := re.match(pattern, text, re.IGNORECASE)) is not None:
+            factors = dict(re.findall(r"(\S+)=(\S+)", contexts(language)["weight_factors"]))
+            factor = found["count"] or factors.get((found["factor"] or "").lower(), "")
+            return (factors.get(factor.lower(), factor), text[found.end() :]) if factor else None
+    return None
 
 
 def _tail(text: str, language: str) -> str:

@@ -36,7 +36,8 @@ def with_shares(names: Names, text: str) -> str:
                 found = comparing(language, "shares", key, k).search(text)
                 equations = [] if found is None else [*_equations(names, found, language, is_lost=is_lost)]
                 if found is not None and len(equations) == 1:
-                    return f"{text[: found.start()]}{found['mark']} {equations[0]}{text[found.end() :]}"
+                    mark = found.groupdict().get("mark") or told["asks"]
+                    return f"{text[: found.start()]}{mark} {equations[0]}{text[found.end() :]}"
     return text
 
 

@@ -13,13 +13,12 @@ from freebody.model.kinds import every_kind
 from freebody.model.spec import Spec
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.given import KIND_OF
-from freebody.questions.spoken.lexicon import Word, measured_in, phrases_at, values_stated
+from freebody.questions.spoken.lexicon import Word, languages, measured_in, phrases_at, values_stated
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _WORD = re.compile(r"[^\W\d_]+")
-_RESISTS = re.compile(r"brak|brems|resist|drag|widerstand|retard", re.IGNORECASE)
 
 
 def is_unchosen(names: Names, said: str, language: str) -> bool:
@@ -27,7 +26,7 @@ def is_unchosen(names: Names, said: str, language: str) -> bool:
     if re.search(values_stated(language)["apparent"], said, re.IGNORECASE) is not None:
         return True
     if re.search(values_stated(language)["resisting"], said, re.IGNORECASE) is not None:
-        return not any(_RESISTS.search(name) for name in (*names.loads, *names.parameters))
+        return not any(_resists(name) for name in (*names.loads, *names.parameters))
     line = in_english_nouns(said, language).lower().replace("ß", "ss")
     for word in _WORD.finditer(line):
         meant = _longest(line, word.start(), language)
@@ -35,6 +34,11 @@ def is_unchosen(names: Names, said: str, language: str) -> bool:
         if follows or (word[0] in unchosen_things() and word[0] not in names.bodies):
             return True
     return False
+
+
+def _resists(name: str) -> bool:
+    """Whether a name says in some language that what has it acts against the motion: rear_brakes, Bremskraft."""
+    return any(re.search(values_stated(own)["resists"], name, re.IGNORECASE) is not None for own in languages())
 
 
 def meant_by(noun: str, language: str) -> set[str]:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import re
-from collections.abc import Callable, Iterable
+from collections.abc import Callable, Iterable, Sequence
 from itertools import islice
 from typing import TYPE_CHECKING
 
@@ -21,6 +21,7 @@ from freebody.questions.spoken.in_the_impact import slip_in_impact
 from freebody.questions.spoken.keeping import (
     chooses_of_what_is_asked,
     is_kept,
+    is_of_itself,
     is_one_without_other,
     loses_failure,
     loses_height,
@@ -35,7 +36,16 @@ from freebody.questions.spoken.lexicon import Word, languages, several, vocabula
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.relating import loses_share, related
-from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
+from freebody.questions.spoken.several import (
+    asks_again,
+    each_of,
+    multiple_of,
+    named_instead,
+    of_owner,
+    of_rivals,
+    parts,
+    sides_of,
+)
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -77,6 +87,8 @@ _WHAT_IS = re.compile(
 )
 _UNKNOWN = re.compile(r"\s*=\s*[?]+[\s.!]*$")  # v_B = ?
 _SYMBOL = re.compile(r"(?<=[^\W\d]),? (?P<symbol>[^\W\d]_(?:[a-z]{1,3}|[RNHZ]))[ ?.!]*$")
+_OF_EVENTS = re.compile(r" (?:when|until|between) ")
+_VALUE = re.compile(r"\d[\d.]*(?: [\w/^*° ]+)?")
 _AT_ONE = re.compile(r".+?(?P<when> (?:at start|when .+))\n.+(?P=when)")
 _CALL = re.compile(rf"\b(?:{'|'.join(FLOAT_FUNCTIONS)})(?=\()")
 ONE_BY_ONE = 8  # things of which one phrase may ask for each
@@ -122,10 +134,16 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         lambda other: understood(names, other, read),
         lambda other: _quietly_one(names, other, read),
     )
+    if asks_again(text) and (parted := _several(names, text, read)):
+        return parted
     if (found := otherwise(asking)) is not None:
         return found
     if (sides := sides_of(elements_of(names), text)) is not None:
-        return _compared(names, text, sides, told, read)
+        if found := _compared(names, text, sides, read):
+            return found
+        if is_specific(told):
+            names.problems += told
+            return []
     nearest, instead = _nearest(names, text, read)
     if not nearest and (relation := _related(names, text, read)):
         return relation
@@ -273,35 +291,37 @@ def _compared(
     names: Names,
     text: str,
     sides: tuple[str, str],
-    told: list[Problem],
     read: Callable[[str], AskedT | None],
 ) -> list[tuple[AskedT, str]]:
-    """Which of two is greater: of sides that are read by themselves, or the second by what it shares with the first."""
-    each = [words for side in sides if (words := _words(names, side, read))]
+    """Which of two is greater: of sides that are read by themselves, or the second by what it shares with the first.
+    Where each is up to an event of its own, by how much the first exceeds the second."""
+    elements = elements_of(names)
+    owned = (sides[0], of_owner(names, elements, sides[1], sides[0]))
+    each = [words for side in owned if (words := _words(names, side, read))]
+    if len(each) < len(sides) and _VALUE.fullmatch(sides[1]):
+        return []
     if len(each) < len(sides):
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
-    if len(each) == len(sides):
-        same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
-        first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
-        words = f"which is greater, {first} or {second}"
+    if len(each) < len(sides):
+        return []
+    same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
+    first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
+    at_events = [f"({each[0]}) - ({each[1]})"] if _OF_EVENTS.search(" ".join(each)) else []
+    for words in (f"which is greater, {first} or {second}", *at_events):
         if not isinstance(asked := read_quietly(names, words, read), Unread):
             return [*zip(asked, (words,), strict=True)]
-    lacking = Message(
-        "cannot read '{text}': of each of both say what it is, as in: which is greater, {first} or {second}",
-        text=text,
-        first="speed of a",
-        second="speed of b",
-    )
-    if is_specific(told):
-        names.problems += told
-    else:
-        names.problem(lacking, "find")
     return []
 
 
 def _words(names: Names, text: str, read: Callable[[str], AskedT | None]) -> str:
-    """A side of a comparison in the words of the grammar: a quantity, or an expression in the parameters."""
+    """A side of a comparison in the words of the grammar: a quantity, a multiple of one, or an expression in the
+    parameters."""
+    if _VALUE.fullmatch(text):
+        return text
+    if (multiple := multiple_of(text)) is not None:
+        of = _words(names, multiple[1], read)
+        return f"({of})*{multiple[0]}" if of else ""
     found = _one(names, text, read)
     if found:
         return found[0][1] if len(found) == 1 else ""
@@ -324,7 +344,12 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
             continue
         found_here: list[tuple[AskedT, str]] = []
         for part in way:
-            every = (_one_or_each(names, elements, said, read) for said in part.texts)
+            texts = (
+                [*part.texts, *_of_first(names, elements, part.texts, way[0].said)]
+                if part is not way[0]
+                else part.texts
+            )
+            every = (_one_or_each(names, elements, said, read) for said in texts)
             before = [asked for asked, _ in found_here]
             fitting = (one for one in every if one and all(_fits_event(asked) for asked, _ in one))
             some = next((one for one in fitting if all(asked not in before for asked, _ in one)), None)
@@ -341,6 +366,12 @@ def _several(names: Names, text: str, read: Callable[[str], AskedT | None]) -> l
         else:
             return found_here
     return []
+
+
+def _of_first(names: Names, elements: Elements, texts: Sequence[str], first: str) -> list[str]:
+    """Texts in which what is its own is that of the body that the first question names."""
+    owned = (of_owner(names, elements, text, first) for text in texts)
+    return [text for text in dict.fromkeys(owned) if text not in texts]
 
 
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
@@ -394,7 +425,7 @@ def _there(names: Names, text: str, first: str, read: Callable[[str], AskedT | N
     """What is asked of the event at which, or up to which, the first question is meant."""
     event = re.search(r"(?<=\s)(?:when|until) (.+)$", first)
     if event is None:
-        return []
+        return _one(names, f"{text} at start", read) if first.endswith(" at start") else []
     plain = _one(names, text, read)
     heads = (text, *([plain[0][1]] if len(plain) == 1 else []))  # as it is understood: in the words of the event
     said = (f"{head} {mark} {event[1]}" for head in heads for mark in ("when", "until"))
@@ -473,7 +504,9 @@ def _nearest(
             here = {words: asked for words, asked in here.items() if chooses_of_what_is_asked(names, plain, words)}
             here = {words: asked for words, asked in here.items() if not loses_other(names, text, words)}
             here = {words: asked for words, asked in here.items() if not loses_height(names, text, words)}
-            here = {words: asked for words, asked in here.items() if not loses_sign(text, words)}
+            here = {
+                words: asked for words, asked in here.items() if not (loses_sign(text, words) or is_of_itself(words))
+            }
             here = {words: asked for words, asked in here.items() if not loses_failure(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_mass_center(text, words)}
             here = {words: asked for words, asked in here.items() if not loses_share(text, words)}
