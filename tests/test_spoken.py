@@ -398,7 +398,10 @@ MORE: dict[str, list[tuple[str, str]]] = {
     "wheel_that_locks": [("heat dissipated in the brake", "energy lost in brake until rate(x) = 0")],
     "yo_yo": [
         ("How much smaller is the tension than the weight?", "size of force of weight on yoyo - tension of string"),
-        ("Um wie viel ist die Seilkraft kleiner als das Gewicht?", ""),  # no difference of two pulls
+        (
+            "Um wie viel ist die Seilkraft kleiner als das Gewicht?",
+            "size of force of weight on yoyo - tension of string",
+        ),
         ("speed of the yoyo after one turn", "speed of yoyo when angle of yoyo has moved 1 * 2*pi"),
     ],
     "crate_onto_a_preloaded_buffer": [
