@@ -545,6 +545,12 @@ def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
             ["period of small oscillations", "tension of rod when theta = 0"],
         ),
         (
+            "bungee_jump",
+            "Wie schnell ist der Springer, wenn das Seil straff wird, und wie groß ist seine Beschleunigung am "
+            "tiefsten Punkt?",
+            ["speed of jumper when cord goes taut", "acceleration of y when rate(y) = 0"],
+        ),
+        (
             "slider_crank",
             "Wie groß sind Geschwindigkeit und Beschleunigung des Kolbens bei theta = 90 Grad?",
             [f"{x} of piston when theta = 90 deg" for x in ("velocity", "acceleration")],

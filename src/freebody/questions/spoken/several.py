@@ -65,7 +65,7 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     for language in languages():
         told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
-            beside = any(_GOES_ON.match(piece) or _describes(piece) for piece in pieces)
+            beside = any(_GOES_ON.match(piece) or _describes(piece) or _is_joined(piece) for piece in pieces)
             if beside or _kinds(elements, pieces[0], language) == {"instant"}:
                 continue
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
@@ -123,6 +123,11 @@ def _pieces(text: str, language: str) -> Iterator[list[str]]:
 def _describes(text: str) -> bool:
     """Whether a text begins with a participle: measured from its lowest position."""
     return any(several(language, "beside").match(text) for language in languages())
+
+
+def _is_joined(text: str) -> bool:
+    """Whether a text begins with a conjunction: it has been parted by the commas of another language."""
+    return any(several(language, "and").match(f" {text}") for language in languages())
 
 
 def _says_nothing(text: str, language: str) -> bool:

@@ -35,7 +35,7 @@ from freebody.questions.spoken.lexicon import Word, languages, several, vocabula
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.relating import loses_share, related
-from freebody.questions.spoken.several import each_of, named_instead, of_rivals, parts, sides_of
+from freebody.questions.spoken.several import completed, each_of, named_instead, of_rivals, parts, sides_of
 from freebody.questions.spoken.sought import sought
 from freebody.questions.spoken.suggesting import MOST, absent, not_understood, suggestions
 from freebody.questions.spoken.symbols import parameter_asked
@@ -278,6 +278,10 @@ def _compared(
 ) -> list[tuple[AskedT, str]]:
     """Which of two is greater: of sides that are read by themselves, or the second by what it shares with the first."""
     each = [words for side in sides if (words := _words(names, side, read))]
+    if len(each) < len(sides) and (first := _words(names, sides[0], read)):  # and the lower: what the first is of
+        texts = (text for own in languages() for text in completed(elements_of(names), *sides, own))
+        second = next((words for text in texts if (words := _words(names, text, read)) not in ("", first)), "")
+        each = [first, second] if second else each
     if len(each) < len(sides):
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
