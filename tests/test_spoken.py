@@ -545,6 +545,11 @@ def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
             ["period of small oscillations", "tension of rod when theta = 0"],
         ),
         (
+            "atwood_machine",
+            "Ist die Seilkraft auf beiden Seiten der Rolle gleich groß?",
+            ["tension of rope at left", "tension of rope at right"],
+        ),
+        (
             "bungee_jump",
             "Wie schnell ist der Springer, wenn das Seil straff wird, und wie groß ist seine Beschleunigung am "
             "tiefsten Punkt?",

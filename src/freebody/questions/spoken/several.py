@@ -169,11 +169,19 @@ def _leads_on(text: str) -> bool:
 
 def _adds_to(before: str, after: str) -> bool:
     """Whether what stands behind a conjunction is a second condition: when x = d, and the crank turns at 2 rad/s."""
+    if any(_is_subordinate(before, after, language) for language in languages()):
+        return True
     if re.search(r"\d", after) is None:
         return False
     plain = re.sub(r"\d\S*(?: [A-Za-z]+(?:/[A-Za-z]+)?(?![A-Za-z]))?", " ", after)  # without values and their units
     ways = [(_may_be(before, language), _may_be(plain, language)) for language in languages()]
     return any("mark" in first and "verb" in own and not own & {"ask", "mark", "degree"} for first, own in ways)
+
+
+def _is_subordinate(before: str, after: str, language: str) -> bool:
+    """Whether a subordinate clause goes on behind a conjunction, as the order of words tells: wenn x = 1 m ist und das
+    Seil gerissen ist."""
+    return several(language, "subordinate").match(after) is not None and "mark" in _may_be(before, language)
 
 
 def _may_be(text: str, language: str) -> set[str]:
