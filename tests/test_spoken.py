@@ -398,7 +398,10 @@ MORE: dict[str, list[tuple[str, str]]] = {
     "wheel_that_locks": [("heat dissipated in the brake", "energy lost in brake until rate(x) = 0")],
     "yo_yo": [
         ("How much smaller is the tension than the weight?", "size of force of weight on yoyo - tension of string"),
-        ("Um wie viel ist die Seilkraft kleiner als das Gewicht?", ""),  # no difference of two pulls
+        (
+            "Um wie viel ist die Seilkraft kleiner als das Gewicht?",
+            "size of force of weight on yoyo - tension of string",
+        ),
         ("speed of the yoyo after one turn", "speed of yoyo when angle of yoyo has moved 1 * 2*pi"),
     ],
     "crate_onto_a_preloaded_buffer": [
@@ -540,6 +543,17 @@ def test_what_the_model_lacks_is_said(said: str, told: str) -> None:
             "simple_pendulum",
             "(a) the period of small oscillations, (b) the tension in the rod at the lowest point",
             ["period of small oscillations", "tension of rod when theta = 0"],
+        ),
+        (
+            "atwood_machine",
+            "Ist die Seilkraft auf beiden Seiten der Rolle gleich groß?",
+            ["tension of rope at left", "tension of rope at right"],
+        ),
+        (
+            "bungee_jump",
+            "Wie schnell ist der Springer, wenn das Seil straff wird, und wie groß ist seine Beschleunigung am "
+            "tiefsten Punkt?",
+            ["speed of jumper when cord goes taut", "acceleration of y when rate(y) = 0"],
         ),
         (
             "slider_crank",

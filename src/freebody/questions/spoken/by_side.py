@@ -13,6 +13,7 @@ from typing import TYPE_CHECKING, cast
 from freebody.language.expression import Expr
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import joining
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.elements import Elements
 from freebody.questions.spoken.lexicon import contexts, languages
 
@@ -33,9 +34,7 @@ def by_side(names: Names) -> Iterator[tuple[str, str]]:
     if names.space:
         return
     taken = {part for name in (*names.bodies, *names.connections, *names.loads) for part in name.lower().split("_")}
-    for side, name in _supports(names).items():
-        yield from ((name, f"{side} {word}") for word in _SUPPORTS)
-        yield from ((name, f"{side} hand {word}") for word in _SUPPORTS)
+    yield from _at_ends(_supports(names), _SUPPORTS)
     yield from _named_by_side(names)
     if taken & {*_SIDES}:
         return
@@ -68,13 +67,17 @@ def before_its_kind(elements: Elements, text: str) -> str:
     for language in languages():
         pattern = contexts(language).get("at_side")
         if pattern is not None:
-            text = re.sub(pattern, lambda said: _put_first(elements, said), text)
+            text = re.sub(pattern, lambda said, own=language: _put_first(elements, said, own), text)
     return text
 
 
-def _put_first(elements: Elements, said: re.Match[str]) -> str:
-    lies = (said["side"], said["thing"]) in elements.sides
-    return f"{said['side']} {said['thing']}" if lies else said[0]
+def _put_first(elements: Elements, said: re.Match[str], language: str) -> str:
+    told = dict(re.findall(r"(\S+)=(\S+)", contexts(language).get("at_sides", "")))
+    side, thing = (
+        told.get(said["side"].lower(), said["side"]),
+        in_english_nouns(said["thing"], language, elements.taken),
+    )
+    return f"{side} {thing}" if (side, thing) in elements.sides else said[0]
 
 
 def _at_ends(places: dict[str, _Place], words: tuple[str, ...]) -> Iterator[tuple[str, str]]:
@@ -124,8 +127,12 @@ def _place(names: Names, name: str, point: str) -> _Place | None:
     angle = None if body.start.angle is None else names.numeric(body.start.angle)
     if angle is None:
         return None
-    turned = (arm[0] * math.cos(angle) - arm[1] * math.sin(angle), arm[0] * math.sin(angle) + arm[1] * math.cos(angle))
+    turned = _turned(*arm, angle)
     return there[0] + turned[0], there[1] + turned[1]
+
+
+def _turned(across: float, up: float, angle: float) -> _Place:
+    return across * math.cos(angle) - up * math.sin(angle), across * math.sin(angle) + up * math.cos(angle)
 
 
 def _numbers(names: Names, components: tuple[Expr, ...]) -> _Place | None:
@@ -142,22 +149,20 @@ def _pin(names: Names, joint: str) -> _Place | None:
     return None
 
 
-def _supports(names: Names) -> dict[str, str]:
-    """The left and the right one of the two supports of the only body there is, where the file says how it lies."""
+def _supports(names: Names) -> dict[str, _Place]:
+    """Where the two supports of the only body there is lie towards each other, where the file says how it lies."""
     free = [body for body in names.bodies.values() if not body.fixed]
     if len(free) != 1 or names.space or free[0].start.angle is None or not free[0].turns:
         return {}
     [body] = free
     angle = names.numeric(cast("Expr", body.start.angle))
     pulls = {row.connection for row in names.constraint_rows if row.reaction in ("tension", "axial force")}
-    found: dict[str, float] = {}
+    found: dict[str, _Place] = {}
     for joint in names.connections:
         ends = [end.partition(".")[2] for end in joining.ends_of(names, joint) if end.partition(".")[0] == body.name]
         if joint not in pulls and len(ends) == 1 and ends[0] in body.points and joining.touches(names, joint, GROUND):
             across, up = (names.numeric(c) for c in body.points[ends[0]][:2])
             if angle is None or across is None or up is None:
                 return {}
-            found[joint] = across * math.cos(angle) - up * math.sin(angle)
-    if len(found) != _PAIR or math.isclose(*found.values(), abs_tol=_LEVEL):
-        return {}
-    return dict(zip(("left", "right"), sorted(found, key=lambda joint: found[joint]), strict=True))
+            found[joint] = _turned(across, up, angle)
+    return found if len(found) == _PAIR else {}

@@ -11,9 +11,11 @@ from collections.abc import Container
 from functools import cache
 
 from freebody.questions.spoken.lexicon import (
+    contexts,
     endings,
     is_verb_of,
     no_nouns,
+    owned,
     phrases_at,
     quantity_words,
     said_of_quantity,
@@ -45,12 +47,25 @@ def in_english_nouns(text: str, language: str, taken: Container[str] = ()) -> st
             return word  # to swing, which is no rocker
         if (stem := _bare(word, language)) in taken:
             return stem
+        if stem in owned(language) and _is_owned(text[: found.start()], text[found.end() :], language):
+            return owned(language)[stem]  # the Gewicht of the load, which is none itself
         is_plural = word[0].isupper() and _PLURAL.search(text[: found.start()]) is not None
         if is_plural and word.lower() in no_nouns(language) and (noun := word.lower().removesuffix("n")):
             return _fitting(noun, language, taken) if noun in translated(language) else word  # the two Rollen
         return _noun(word, language, taken) or _apart(word, language, taken) or word
 
     return _WORD.sub(told, text)
+
+
+def _is_owned(before: str, after: str, language: str) -> bool:
+    """Whether what stands between is said to be that of something, or stands alone: das Gewicht der Kiste, ihr
+    Gewicht."""
+    own, is_alone = contexts(language), not f"{before}{after}".strip(" ?.!")
+    return (
+        is_alone
+        or re.search(own["owner_before"], before) is not None
+        or re.match(own["owner_behind"], after) is not None
+    )
 
 
 def _bare(word: str, language: str) -> str:

@@ -35,7 +35,7 @@ def told_above(names: Names, text: str, said: Callable[[str], str]) -> str:
             return _above_start(said(f"{text[: found.start()]}{text[found.end() :]}"))
         if (found := comparing(language, "levels", "pivot").search(text)) is not None:
             point = _point(names, found["point"], language)
-            is_above = found["side"] in ("above", "over")
+            is_above = comparing(language, "levels", "above").fullmatch(found["side"]) is not None
             if point and is_above:
                 return _above(names, said(f"{text[: found.start()]}{text[found.end() :]}"), point)
     return ""

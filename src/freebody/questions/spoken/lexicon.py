@@ -399,6 +399,12 @@ def silent_of_thing(language: str) -> frozenset[str]:
 
 
 @cache
+def owned(language: str) -> dict[str, str]:
+    """Words for things that are quantities where something has them, and what these are called."""
+    return dict(_file(language).get("compounds", {}).get("owned", {}))
+
+
+@cache
 def quantity_words(language: str) -> frozenset[str]:
     """Single words for quantities."""
     said = (text for own in tables(language)["quantity"].values() for phrase in own for text in spelt_out(phrase))

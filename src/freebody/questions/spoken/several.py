@@ -65,7 +65,7 @@ def parts(elements: Elements, text: str) -> Iterator[list[Part]]:
     for language in languages():
         told = several(language, "lead_in").sub("", spelt_out(elements, text, language))
         for pieces in _pieces(told.strip().rstrip(".?! "), language):
-            beside = any(_GOES_ON.match(piece) or _describes(piece) for piece in pieces)
+            beside = any(_GOES_ON.match(piece) or _describes(piece) or _is_joined(piece) for piece in pieces)
             if beside or _kinds(elements, pieces[0], language) == {"instant"}:
                 continue
             yield [_part(elements, pieces, k, language) for k in range(len(pieces))]
@@ -130,6 +130,11 @@ def _describes(text: str) -> bool:
     return any(several(language, "beside").match(text) for language in languages())
 
 
+def _is_joined(text: str) -> bool:
+    """Whether a text begins with a conjunction: it has been parted by the commas of another language."""
+    return any(several(language, "and").match(f" {text}") for language in languages())
+
+
 def _says_nothing(text: str, language: str) -> bool:
     """Whether each word of a text is one of those that lead to a question only."""
     kinds = [{word.kind for word, _ in phrases_at(word, 0, language)} for word in text.lower().split()]
@@ -169,11 +174,19 @@ def _leads_on(text: str) -> bool:
 
 def _adds_to(before: str, after: str) -> bool:
     """Whether what stands behind a conjunction is a second condition: when x = d, and the crank turns at 2 rad/s."""
+    if any(_is_subordinate(before, after, language) for language in languages()):
+        return True
     if re.search(r"\d", after) is None:
         return False
     plain = re.sub(r"\d\S*(?: [A-Za-z]+(?:/[A-Za-z]+)?(?![A-Za-z]))?", " ", after)  # without values and their units
     ways = [(_may_be(before, language), _may_be(plain, language)) for language in languages()]
     return any("mark" in first and "verb" in own and not own & {"ask", "mark", "degree"} for first, own in ways)
+
+
+def _is_subordinate(before: str, after: str, language: str) -> bool:
+    """Whether a subordinate clause goes on behind a conjunction, as the order of words tells: wenn x = 1 m ist und das
+    Seil gerissen ist."""
+    return several(language, "subordinate").match(after) is not None and "mark" in _may_be(before, language)
 
 
 def _may_be(text: str, language: str) -> set[str]:

@@ -16,6 +16,7 @@ from freebody.language.notation import to_python
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.geometry import ZERO
 from freebody.questions.spoken import lookup
+from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import CLOSE, OPEN, compared_in, comparing, languages
 from freebody.questions.spoken.naming import elements_of, linked
 
@@ -64,7 +65,8 @@ def _equations(names: Names, found: re.Match[str], language: str, *, is_lost: bo
     """What can be meant: for each measure that starts with something."""
     share = _share(found["share"], compared_in(language, "shares")["shares"])
     factor = Number(1 - share if is_lost else share)
-    who = [name for name in lookup.moving(names) if _is_named(names, found["who"], name)]
+    said = in_english_nouns(found["who"], language, elements_of(names).taken)
+    who = [name for name in lookup.moving(names) if _is_named(names, said, name)]
     told = names.placed_at_start.keys() | names.start_rates.keys()
     own = [name for name in names.measures if name in told and (not who or {*who} & {*names.measures[name].bodies()})]
     is_rate = found.groupdict().get("speed") is not None

@@ -38,6 +38,7 @@ from freebody.questions.spoken.other_values import other_value, same_value
 from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import (
     asks_again,
+    completed,
     each_of,
     multiple_of,
     named_instead,
@@ -300,6 +301,10 @@ def _compared(
     each = [words for side in owned if (words := _words(names, side, read))]
     if len(each) < len(sides) and _VALUE.fullmatch(sides[1]):
         return []
+    if len(each) < len(sides) and (first := _words(names, sides[0], read)):  # and the lower: what the first is of
+        texts = (text for own in languages() for text in completed(elements, *sides, own))
+        second = next((words for text in texts if (words := _words(names, text, read)) not in ("", first)), "")
+        each = [first, second] if second else each
     if len(each) < len(sides):
         both = _several(names, text, read)
         each = [words for _asked, words in both] if len(both) == len(sides) else each
