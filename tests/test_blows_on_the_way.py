@@ -262,7 +262,7 @@ WRONG = {
         CAUGHT.replace("{pin: [ground.peg, rod.start], closes", "{string: {from: ground.peg, to: rod.start}, closes"),
         "can only pull",
     ),
-    "no measure": (CAUGHT.replace("when y = -h", "when z = -h"), "cannot read"),
+    "no measure": (CAUGHT.replace("when y = -h", "when z = -h"), "there is no measure z"),
 }
 
 

@@ -207,12 +207,12 @@ WRONG = {
         "spring has no form. Did you mean from",
     ),
     "a short form that there is not": (
-        "slider_crank: {crank: 5 cm, rod: 20 cm, rpm: 1200}\nquestions: [stroke]\n",
-        "there is no section and no short form slider_crank: short forms are pendulum",
+        "geneva_drive: {crank: 5 cm, rod: 20 cm, rpm: 1200}\nquestions: [stroke]\n",
+        "there is no section and no short form geneva_drive: short forms are pendulum",
     ),
     "a body that is not indented": (
         "bodies:\nrod: {rod: {mass: 2 kg, length: 1 m}}\nquestions: [acceleration of rod]\n",
-        "begin the line of rod with two spaces",
+        "rod is not indented, so that it is no part of bodies: begin its line with two spaces",
     ),
     "no bodies": ("loads: {w: {gravity: 9.81 m/s^2}}\n", "bodies: {block: {particle: {mass: 1 kg}}}"),
 }

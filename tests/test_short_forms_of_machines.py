@@ -92,3 +92,20 @@ def test_hoists() -> None:
 def test_machines_that_cannot_be_read(text: str, said: str) -> None:
     with pytest.raises(ModelError, match=said):
         fb.System.from_text(text)
+
+
+def test_a_load_of_a_gerber_beam_that_is_told_from_the_right() -> None:
+    """The same load as the one that is told from the left, an even one and one that rises."""
+    told = (
+        ("q: 5 kN/m, from: 3 m, to: 6 m", "q: 5 kN/m, from: 6 m, to: 3 m"),
+        ("q: [5 kN/m, 2 kN/m], from: 1 m, to: 4 m", "q: [2 kN/m, 5 kN/m], from: 4 m, to: 1 m"),
+    )
+    for both in told:
+        left, right = (_value(GERBER.replace(told[0][0], load), "moment of A") for load in both)
+        assert left == pytest.approx(right, rel=1e-12)
+
+
+def test_a_slider_crank_at_its_dead_centre() -> None:
+    """x'' = -r w^2 (1 + r/l) where crank and rod are in line."""
+    text = "slider_crank: {crank: 50 mm, rod: 200 mm, speed: 100 rad/s, angle: 0 deg}\n"
+    assert _value(text, "acceleration of x at start") == pytest.approx(-0.05 * 100**2 * (1 + 50 / 200))

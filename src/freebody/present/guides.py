@@ -73,12 +73,14 @@ class Guides:
         yield from self._edge(rail.along, level, low, high, -1.0)
 
     def _support(self, rail: Rail) -> Iterator[Stroke]:
-        """A triangle on rollers, on the ground below, or on that side of an upright line that the bodies are not on."""
+        """A triangle on rollers, on the ground below, or on that side of an upright line that the bodies are not on: to
+        the right, where they are on neither."""
         at = positions(self.poses, rail.point)[0]
         x, y = turned(rail.along.angle, 0.0, 1.0)
         centers = [positions(self.poses, figure.mass_center)[0] for figure in self.scene.figures]
         inward = float(np.mean([(center - at) @ (x, y) for center in centers]))
-        side = -1.0 if y > 1e-6 or (abs(y) <= 1e-6 and inward > 0.0) else 1.0
+        upright = math.copysign(1.0, x if abs(inward) < 1e-6 * self.u else -inward)
+        side = upright if abs(y) <= 1e-6 else -math.copysign(1.0, y)
         angle = math.atan2(side * y, side * x) + np.pi / 2
         for points, style, is_closed in support(self.u, on_rollers=True):
             yield Path(Place(GROUND, *map(float, at)), GROUND, turned(angle, *points.T), style, is_closed)

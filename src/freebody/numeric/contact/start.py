@@ -116,6 +116,8 @@ def _bodies(bound: UnilateralConstraint) -> tuple[str, str]:
 def _other_side(reference: Reference, q: Array, bound: UnilateralConstraint) -> Message | None:
     """What is told of a body that lies with all that may touch on the solid side of a line of the ground, of which the
     file does not say that it is open there."""
+    if not bound.row.ends:  # of a stop
+        return None
     system, (body, line) = reference.system, _bodies(bound)
     of_ground = system.bodies[GROUND].lines
     if body not in system.bodies or line not in (GROUND, *of_ground) or system.space:

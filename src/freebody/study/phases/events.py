@@ -9,6 +9,7 @@ from __future__ import annotations
 from collections.abc import Sequence
 
 import numpy as np
+from numpy.typing import NDArray
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
@@ -50,14 +51,29 @@ def first_events(phase: Phase, sets: Sets, indices: Chosen, extra: Sequence[Phas
         # what is asked for comes first where it comes together with something else
         winner = np.argmax(times <= times.min(axis=0) * (1.0 + ROUND_OFF), axis=0)
         labels = np.where(np.isfinite(times.min(axis=0)), winner, NOTHING)
+        labels = _by_company(labels, candidates)
     return [_outcome(cell, found) for cell in cells(labels, indices, found.tests)]
+
+
+def _by_company(labels: NDArray[np.intp], candidates: Sequence[PossibleEnd]) -> NDArray[np.intp]:
+    """The labels of ends, modulo their number the ends themselves, parted by which others are one with them by their
+    formulas: a corner that strikes with another one does so only where it faces what they strike."""
+    parted, known = labels.copy(), dict[tuple[int, bytes], int]()
+    for k in {*labels.tolist()} - {NOTHING}:
+        alike = [c.reached for c in candidates if c is not candidates[k] and _is_alike(c, candidates[k])]
+        here = np.flatnonzero(labels == k)
+        beside = np.isfinite(np.array(alike, dtype=float).reshape(len(alike), labels.size)[:, here])
+        for i, which in zip(here, beside.T, strict=True):
+            code = known.setdefault((k, which.tobytes()), sum(own == k for own, _which in known))
+            parted[i] = k + code * len(candidates)
+    return parted
 
 
 def _outcome(cell: Cell, found: PossibleEnds) -> PhaseOutcome:
     unsure = tuple(found.unsure)
     if cell.label == NOTHING:
         return PhaseOutcome(None, cell.sets, cell.cuts, cell.is_exact and found.is_exact, unsure)
-    chosen = found.candidates[cell.label]
+    chosen = found.candidates[cell.label % len(found.candidates)]
     with np.errstate(invalid="ignore"):
         others = [c for c in found.candidates if c.watch is not chosen.watch]
         same = [c for c in others if np.allclose(c.reached[cell.sets], chosen.reached[cell.sets], ROUND_OFF, 0.0)]

@@ -28,7 +28,7 @@ from freebody.language.units import FORCE, LENGTH, TORQUE
 from freebody.measures.geometry import GROUND
 from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.beam_parts import HINGES, Parts
-from freebody.system.reading.written.dimensions import dimension_said
+from freebody.system.reading.written.dimensions import dimension_said, value_said
 from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
 from freebody.system.reading.written.numbers_given import wrong_unit
 
@@ -199,6 +199,9 @@ class _Beam:
             start, end = (_one(fields, words) for words in _FROM.values())
             if start is None or end is None:
                 start = end = None
+            ends = value_said(self.w, start), value_said(self.w, end)
+            if ends[0] is not None and ends[1] is not None and ends[0] > ends[1]:  # told from the right
+                start, end, size = end, start, size[::-1] if isinstance(size, list) else size
             spread = {"along": way or "down", "intensity": size}
             pieces = self.parts.spread(name, start, end, size)
             return {each: {"distributed": {"between": points, **spread}} for each, points in pieces.items()}

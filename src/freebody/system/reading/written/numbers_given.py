@@ -3,7 +3,7 @@ formulas."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping
 from typing import Any, TypeAlias, cast
 
 from freebody.errors import InputError
@@ -13,7 +13,7 @@ from freebody.language.parser import parse
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, Dimension, parse_quantity, unit_of
 from freebody.model.formulas import unit_differs
-from freebody.system.reading.written.dimensions import dimension_said
+from freebody.system.reading.written.dimensions import dimension_said, value_said
 from freebody.system.reading.written.form import Entry, Written
 
 Words: TypeAlias = "dict[str, tuple[tuple[str, ...], Dimension]]"  # by symbols: words, and the dimension of the number
@@ -105,10 +105,17 @@ def quantities(w: Written, given: Entry, words: dict[str, tuple[tuple[str, ...],
     return found
 
 
-def as_parameters(w: Written, said: dict[str, str], given: Entry, place: tuple[str, ...]) -> dict[str, Any]:
-    """By the symbols what stands in formulas: a parameter that has the number, or what is written there."""
+def as_parameters(
+    w: Written, said: dict[str, str], given: Entry, place: tuple[str, ...], either: Collection[str] = ()
+) -> dict[str, Any]:
+    """By the symbols what stands in formulas: a parameter that has the number, or what is written there, as of those
+    that may have either sign (`either`) a zero: parameters are positive."""
     there = cast("Entry", w.data.get("parameters") or {})
-    own = {symbol: given[key] for symbol, key in said.items() if symbol not in there and _is_number(given[key])}
+    own = {
+        symbol: given[key]
+        for symbol, key in said.items()
+        if symbol not in there and _is_number(given[key]) and not (symbol in either and value_said(w, given[key]) == 0)
+    }
     w.data["parameters"] = {**there, **own}
     w.moved |= {("parameters", symbol): (*place, said[symbol]) for symbol in own}
     return {symbol: symbol if symbol in own else given[key] for symbol, key in said.items()}

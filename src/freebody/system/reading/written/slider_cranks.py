@@ -44,6 +44,7 @@ _WORDS: Words = {
     "F": (("force", "f", "load", "piston_force", "piston_load", "gas_force", "kraft"), FORCE),
     "M_d": (("torque", "moment", "crank_torque", "drive_torque", "drehmoment"), TORQUE),
 }
+_EITHER = ("phi_0", "e", "F", "M_d", "Omega")  # what may have either sign, or be nought
 _KNOWN = ("crank", "rod", "offset", "piston", "crank_mass", "rod_mass", "speed", "torque", "angle", "force")
 _FIELDS = ("parameters", "loads", "measures", "start", "connections")
 VOCABULARY = Vocabulary(_SECTIONS, (*_PARTS, *(word for called, _d in _WORDS.values() for word in called)))
@@ -72,7 +73,7 @@ def with_slider_crank(w: Written) -> None:
             "{first} and {second} both drive the crank: write one of the two", first=said["Omega"], second=said["M_d"]
         )
         w.refuse(told, key, said["M_d"])
-    symbols = as_parameters(w, said, given, (key,))
+    symbols = as_parameters(w, said, given, (key,), _EITHER)
     mass = {part: symbols.get(f"m_{part}") for part in ("crank", "rod", "piston")}
     bodies: Entry = {
         part: {"rod": {"length": symbols[of], **({} if mass[part] is None else {"mass": mass[part]})}}
