@@ -122,6 +122,8 @@ def _joined(sign: str, first: str, second: str, *, is_less: bool) -> Iterator[st
     there = _WHEN.search(second)
     if there is not None and not _TIMED.search(first) and not _TIMED.search(second[: there.start()]):
         second = second[: there.start()]  # the instant that is said last is that of both
+        if first == second:
+            return
         yield f"ratio of {first} to {second}{there[0]}" if sign == "/" else f"({first} - {second}){there[0]}"
         return
     if not _TIMED.search(f"{first} {second}"):
