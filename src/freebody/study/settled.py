@@ -4,11 +4,8 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
-from freebody.numeric.contact.after import HELD_ALONE
-from freebody.numeric.contact.transition import InstantTransition
 from freebody.numeric.options import ImpactLaw
 from freebody.study.answering.draws import SEED, draw_parameters
-from freebody.study.simulation.simulator import Simulator
 from freebody.system.modes import ContactMode, in_mode
 from freebody.system.system import System
 
@@ -54,6 +51,10 @@ def without_friction(system: System) -> System:
 def start_mode(system: System) -> ContactMode:
     """The contact states at the start, at the values of the model, or at drawn ones where it gives none."""
     import random
+
+    from freebody.numeric.contact.after import HELD_ALONE  # imported where a model has a contact
+    from freebody.numeric.contact.transition import InstantTransition
+    from freebody.study.simulation.simulator import Simulator
 
     given = None if system.has_values else draw_parameters(system, random.Random(SEED), 1.0)
     simulator = Simulator(system, given)
