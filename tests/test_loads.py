@@ -40,6 +40,38 @@ def test_dampers_only_take_energy(kind: str) -> None:
 
 # -- closed forms -----------------------------------------------------------------------------
 CLOSED: dict[str, tuple[str, str, dict[str, str | list[str]]]] = {
+    # a cord that is pulled from below the hub of a spool that rolls: about the point of contact
+    # (m R^2 + m k^2) x''/R = F (R cos(beta) - r), and F_floor = F cos(beta) - m x''
+    "cord that unwinds from a spool": (
+        "force",
+        """
+parameters: {m: 10 kg, R: 0.3 m, r: 0.12 m, k: 0.2 m, F: 20 N, beta: 40 deg, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {spool: {disk: {mass: m, radius: R, hub: r, radius_of_gyration: k}}}
+connections: {floor: {rolling: {body: spool, on: floor}}}
+loads:
+  weight: {gravity: g}
+  it: {force: {at: wound on spool.hub at bottom, along: beta, magnitude: F}}
+measures: {x: x of spool}
+""",
+        {
+            "acceleration of x": "F*R*(R*cos(beta) - r)/(m*(R**2 + k**2))",
+            "friction force of floor": "-F*(k**2*cos(beta) + R*r)/(R**2 + k**2)",
+            "value of beta for which acceleration of x = 0": "acos(r/R)",
+        },
+    ),
+    # one that is pulled to the right off the top of a disk on a fixed axle: m R^2/2 alpha = -F R
+    "cord that unwinds from a drum clockwise": (
+        "force",
+        """
+parameters: {m: 10 kg, R: 0.3 m, F: 20 N}
+bodies: {drum: {disk: {mass: m, radius: R}}}
+connections: {axle: {pin: [ground, drum]}}
+loads: {it: {force: {at: wound on drum clockwise, along: right, magnitude: F}}}
+measures: {phi: angle of drum}
+""",
+        {"acceleration of phi": "-2*F/(m*R)", "reaction of axle on drum along right": "-F"},
+    ),
     # weight along another direction: a = g
     "gravity in a tilted frame": (
         "gravity",
@@ -613,3 +645,23 @@ def test_a_spring_without_a_length_is_said_to_be_relaxed_at_the_start(given: str
     )
     said = [text for text in system.assumptions if "relaxed" in text]
     assert said == ["the spring from ground.A to b is relaxed at the start"] * n
+
+
+def test_a_circle_of_a_body_is_no_place_for_a_force() -> None:
+    text = """
+parameters: {m: 1 kg, R: 0.3 m, r: 0.1 m}
+bodies: {spool: {disk: {mass: m, radius: R, hub: r}}}
+loads: {pull: {force: {at: spool.hub, along: right, magnitude: 5 N}}}
+"""
+    with pytest.raises(fb.InputError, match=r"spool.hub is a circle: .* at: wound on spool.hub at bottom"):
+        fb.System.from_text(text)
+
+
+def test_a_cord_that_comes_off_to_either_hand_needs_its_sense() -> None:
+    text = """
+parameters: {m: 1 kg, R: 0.3 m}
+bodies: {drum: {disk: {mass: m, radius: R}}}
+loads: {pull: {force: {at: wound on drum at right, along: right, magnitude: 5 N}}}
+"""
+    with pytest.raises(fb.InputError, match="comes off to either hand"):
+        fb.System.from_text(text)

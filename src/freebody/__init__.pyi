@@ -645,7 +645,9 @@ class Ellipsoid(_Ellipsoid):
 
 class Force(_Force):
     """`force: {at: rod.end, along: right, magnitude: F}`. The magnitude may depend on time `t` and on named
-    measures and their rates; `along: rod.y` turns with the rod."""
+    measures and their rates; `along: rod.y` turns with the rod. A cord that is wound on a body and pulled at its outer
+    end acts where it leaves the body, which does not turn with it: `at: wound on spool.hub at bottom`, or
+    `wound on spool radius r at top`."""
 
     def __init__(
         self,

@@ -6,13 +6,18 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
+from freebody.connections.string.laying import sense_of_drum
+from freebody.connections.string.way import is_wound, unwinds_from
+from freebody.language.expression import multiply, number
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH
 from freebody.loads.base import Load
 from freebody.loads.law import law, limited
+from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
-from freebody.measures.geometry import AXES, GROUND, Point
+from freebody.measures.geometry import AXES, GROUND, ONE, Point
 from freebody.model import glyphs
 from freebody.model.elements import AppliedLoad, Component, NonholonomicForm
 from freebody.model.glyphs import Glyph
@@ -51,9 +56,26 @@ def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | Nonh
     return NonholonomicForm((*parts, *([(Component(along, "z"), z)] if names.space else [])), LENGTH)
 
 
+def unwound_along(names: Names, text: str, heading: Heading) -> Measure | None:
+    """How far the outer end of a cord goes that is wound on a drum and pulled in a direction that stays: the way of the
+    middle of the drum along it, and what comes off, s R per turn [rad], as the drum turns the way it is pulled."""
+    drum, along = unwinds_from(names, text, "at"), names.direction(heading, "along")
+    if drum is None:
+        return None
+    if names.space or along.body != GROUND:
+        told = Message("what is wound on a drum is pulled in a direction of the ground, in the plane; or by a string")
+        names.problem(told, "at")
+        return None
+    arm = multiply(number(sense_of_drum(names, drum, along)), drum.radius)
+    way = Displacement(drum.point, names.ground_origin, along)
+    return Combination(((ONE, way), (arm, Angle(drum.body))), LENGTH)
+
+
 class Force(Load, kind="force"):
     """`force: {at: rod.end, along: right, magnitude: F}`. The magnitude may depend on time `t` and on named
-    measures and their rates; `along: rod.y` turns with the rod."""
+    measures and their rates; `along: rod.y` turns with the rod. A cord that is wound on a body and pulled at its outer
+    end acts where it leaves the body, which does not turn with it: `at: wound on spool.hub at bottom`, or
+    `wound on spool radius r at top`."""
 
     also: ClassVar[tuple[str, ...]] = ("Kraft",)
 
@@ -109,9 +131,33 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         return {"at": said["at"] or said["at_first"], "along": along, "magnitude": said["magnitude"]}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        pushed = pushed_along(names, names.point(self.at, "at"), self.along)
+        if is_wound(self.at):
+            pushed = unwound_along(names, self.at, self.along)
+        elif self._is_circle(names):
+            return []
+        else:
+            pushed = pushed_along(names, names.point(self.at, "at"), self.along)
         magnitude, used = law(names, self.magnitude, FORCE, "magnitude")
-        return [AppliedLoad("", pushed, limited(names, self, magnitude, FORCE), used)]
+        return [] if pushed is None else [AppliedLoad("", pushed, limited(names, self, magnitude, FORCE), used)]
+
+    def _is_circle(self, names: Names) -> bool:
+        """Whether it names a circle of a body in place of a point, which is told."""
+        whole, _, part = self.at.partition(".")
+        body = names.bodies.get(whole)
+        if body is None or part not in body.middle_circles:
+            return False
+        told = Message(
+            "{circle} is a circle: a cord that is wound on it and pulled acts at: wound on {circle} at bottom (or top, "
+            "left, right), and a force in its middle at: {body}.center",
+            circle=self.at,
+            body=whole,
+        )
+        names.problem(told, "at")
+        return True
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
-        yield glyphs.ForceArrow(names.point(self.at), names.direction(self.along, "along"))
+        along = names.direction(self.along, "along")
+        if not is_wound(self.at):
+            yield glyphs.ForceArrow(names.point(self.at), along)
+        elif (drum := unwinds_from(names, self.at, "at")) is not None:
+            yield glyphs.ForceArrow(drum.point, along)

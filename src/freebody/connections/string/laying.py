@@ -179,18 +179,22 @@ def is_sure(names: Names, run: StringRun, field: str) -> bool:
     """Whether it is told how the string goes round its drums and the wheels that it carries; else a problem is noted.
     field: of the model, where wheels are written."""
     if (drum := loose_drum(names, run)) is not None:
-        told = Message(
-            "at the {side} of {drum} the string comes off to either hand: write 'wound on {drum} clockwise' or "
-            "'counterclockwise', the sense in which it goes round it",
-            side=drum.side or "right",
-            drum=drum.body,
-        )
-        names.problem(told, "path")
+        names.problem(_either_hand(drum), "path")
         return False
     if (missed := unwrapped(names, run)) is not None:
         names.problem(_not_round(missed), field)
         return False
     return True
+
+
+def _either_hand(drum: StringNode) -> Message:
+    """What is told of a drum whose side leaves open how the string goes round it."""
+    return Message(
+        "at the {side} of {drum} the string comes off to either hand: write 'wound on {drum} clockwise' or "
+        "'counterclockwise', the sense in which it goes round it",
+        side=drum.side or "right",
+        drum=drum.body,
+    )
 
 
 def _not_round(wheel: StringNode) -> Message:
@@ -282,12 +286,11 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
     if node.radius == ZERO:
         return 0
     if node.turn is not None:
-        return -1 if node.turn == "clockwise" else 1
+        return _sense(node, None)
     before = _heading(names, way, leads, k - 1) if k > 0 else None
     after = _heading(names, way, leads, k) if k < len(way) - 1 else None
     if node.way == "drum":
-        # the contact point lies at -s R n from the centre, n the heading turned by a quarter turn
-        return -1 if _aside_of_drum(node, before or after) > 0 else 1
+        return _sense(node, before or after)
     # the way it bends between leads that are known, or round the shorter side
     bend = before[0] * after[1] - before[1] * after[0] if before and after else 0.0
     is_end = before is None or after is None
@@ -300,10 +303,28 @@ def _turn(names: Names, way: Sequence[StringNode], leads: Sequence[Direction | N
     return -over if node.way == "under" else over
 
 
+def _sense(drum: StringNode, heading: tuple[float, float] | None) -> int:
+    """In which sense a lead goes round its drum: it touches at -s R n from the centre, n the heading turned by a
+    quarter turn."""
+    if drum.turn is not None:
+        return -1 if drum.turn == "clockwise" else 1
+    return -1 if _aside_of_drum(drum, heading) > 0 else 1
+
+
 def _aside_of_drum(drum: StringNode, heading: tuple[float, float] | None) -> float:
     """How far the side at which a string leaves a drum is to the left of its lead; an unknown one hangs."""
     (sx, sy), (ex, ey) = _SIDES[drum.side or "right"], heading or (0.0, -1.0)
     return ex * sy - ey * sx
+
+
+def sense_of_drum(names: Names, drum: StringNode, along: Direction) -> int:
+    """+1 where a cord that leaves a drum in a direction runs counter-clockwise round it, -1 clockwise; 0 where its side
+    leaves that open, which is a problem."""
+    heading = _in_numbers(names, along)
+    if drum.turn is None and abs(_aside_of_drum(drum, heading)) <= ROUND_OFF * math.hypot(*heading):
+        names.problem(_either_hand(drum), "at")
+        return 0
+    return _sense(drum, heading)
 
 
 def loose_drum(names: Names, run: StringRun) -> StringNode | None:

@@ -33,8 +33,8 @@ class PulledAtTheRim(WarningKind, name="pulled at the rim"):
             if push.measure.along.body == GROUND and point.offset != body.center.offset:
                 told = Message(
                     "{force} acts at {point}, which goes round with {body}, while the direction of the force stays. If "
-                    "a cord is meant that unwinds, wind it on the body and pull at its end, string: {{path: [wound on "
-                    "{body} radius r at bottom, hand]}}; if only the start is asked for, ask at start",
+                    "a cord is meant that unwinds, write at: wound on {body} radius r at bottom (or top, left, right); "
+                    "if only the start is asked for, ask at start",
                     force=push.load,
                     point=str(point),
                     body=body.name,
