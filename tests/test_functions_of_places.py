@@ -1,4 +1,4 @@
-"""Quantities as functions of the place: v(s), reactions by the angle."""
+"""Quantities as functions of the place or the time: v(s), reactions by the angle, x(t)."""
 
 from __future__ import annotations
 
@@ -188,3 +188,48 @@ start: {x: 0, rate(x): 0}
         assert all(to_text(line.sides[0]) != "t" for line in lines_of(derivation.stages))
     assert "root" not in told.to_text()
     assert "first t > 0" in fb.explain(fb.System.from_text(model), "time when x = d").to_text()
+
+
+THROWN = """
+parameters: {m: 2 kg, v0: 20 m/s, beta: 40 deg, g: 9.81 m/s^2}
+bodies: {ball: {particle: {mass: m}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of ball, y: y of ball}
+start: {x: 0, y: 0, rate(x): v0*cos(beta), rate(y): v0*sin(beta)}
+"""
+
+
+def test_the_motion_of_a_throw_is_a_function_of_the_time(agrees: Agree) -> None:
+    asked = ["y as a function of t", "speed of ball vs. time", "Geschwindigkeit von ball als Funktion der Zeit"]
+    solution = fb.System.from_text(THROWN).solve(asked)
+    agrees(solution, "q1", "v0*t*sin(beta) - g*t**2/2")
+    agrees(solution, "q2", "sqrt(v0**2 - 2*v0*g*t*sin(beta) + g**2*t**2)")
+    agrees(solution, "q3", ["v0*cos(beta)", "v0*sin(beta) - g*t"])
+    assert solution["q1"].value is None
+
+
+def test_a_block_that_slides_until_it_stays_is_told_in_cases_of_the_time(agrees: Agree) -> None:
+    """x = v0 t - mu g t^2/2 until t = v0/(mu g), then v0^2/(2 mu g)."""
+    text = """
+parameters: {m: 2 kg, v0: 3 m/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {floor: {contact: {between: [block, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v0}
+"""
+    solution = fb.System.from_text(text).solve("x as a function of t")
+    agrees(solution, "q1", "v0*t - mu*g*t**2/2")
+    sliding, at_rest = solution["q1"].cases
+    assert [to_text(case.expression) for case in (sliding, at_rest)] == ["t·(2·v₀ - μ·g·t)/2", "v₀²/(2·μ·g)"]
+    assert sliding.conditions == ("t < v₀/(μ·g)",)
+    assert at_rest.conditions == ("t ≥ v₀/(μ·g)",)
+
+
+def test_the_way_to_a_function_of_the_time_is_told_for_one_instant_and_then_for_all() -> None:
+    told = fb.explain(fb.System.from_text(THROWN), "y as a function of t")
+    assert told.is_complete
+    assert "Let t₁ be any time since the start" in told.to_text()
+    last = lines_of(told.derivations[0].stages)[-1]
+    assert [to_text(side) for side in last.sides] == ["y", "t·(2·v₀·sin(β) - g·t)/2"]

@@ -27,7 +27,7 @@ from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.telling.composing import plain_derivations, report_of
 from freebody.present.report.result import Result
 from freebody.progress import busy_with
-from freebody.questions.event import AnyPlace, OfQuantity
+from freebody.questions.event import Anywhere, OfQuantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.places_of_quantities import placed
@@ -159,7 +159,7 @@ def _derived(
     busy_with(f"deriving {question.id}: {question.text}")
     if answer.holds_once:
         question = replace(question, event=None, at_start=True)
-    if isinstance(question.event, AnyPlace) and answer.value is not None:  # the formula is the same at every instant
+    if isinstance(question.event, Anywhere) and answer.value is not None:  # the formula is the same at every instant
         question = replace(question, event=None)
     told_of, question = question, _at_its_turn(context, of_motion(context.system, question))
     derive = derivation_of(context.system, question)

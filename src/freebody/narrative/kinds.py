@@ -10,7 +10,7 @@ from freebody.narrative.context import Derive
 from freebody.narrative.questions.numeric import or_in_numbers
 from freebody.questions.base import Scope
 from freebody.questions.clock import Clock
-from freebody.questions.event import AnyPlace
+from freebody.questions.event import Anywhere
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
 from freebody.system.system import System
@@ -36,7 +36,7 @@ _PLACES: dict[Scope, str] = {
 def _place(system: System, question: Question) -> str:
     """The module that derives the answer, by what part of mechanics the question belongs to."""
     scope = question.quantity.scope
-    if isinstance(question.event, AnyPlace):
+    if isinstance(question.event, Anywhere):
         return "questions.of_place"
     if question.quantity.wanted is not None:
         return "questions.turned_round"

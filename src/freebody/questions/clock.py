@@ -10,6 +10,7 @@ from freebody.language.notation import as_equation
 from freebody.language.sentences import Message
 
 ENDLESS = "t grows"
+TIME_SINCE = "t"  # the start
 _NUMBER = r"\d[\w.]*(?: ?(?:s|ms|min|h|seconds?|minutes?|hours?))?"
 _TIME = rf"(?P<time>{_NUMBER}|[A-Za-z_]\w*)"
 # a time behind `after` stands at the end, or before what an equation goes on with

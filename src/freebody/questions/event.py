@@ -21,14 +21,14 @@ from freebody.language.expression import (
 from freebody.language.notation import to_python
 from freebody.language.parser import parse
 from freebody.language.sentences import Message
-from freebody.language.units import DIMENSIONLESS, TIME
+from freebody.language.units import DIMENSIONLESS, TIME, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.base import NAME, POINT, Path, Quantity
-from freebody.questions.clock import ENDLESS, Clock, time_asked
+from freebody.questions.clock import ENDLESS, TIME_SINCE, Clock, time_asked
 from freebody.questions.compared import compared
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event_base import QuestionEvent
@@ -91,16 +91,54 @@ class ChangeEvent(QuestionEvent):
     is_distance: bool
 
 
-@dataclass(frozen=True)
-class AnyPlace(QuestionEvent):
-    """A measure is anywhere: what is asked is a function of it (`study/answering/functions_of_places.py`). `value` is
-    the measure itself."""
+class Anywhere:
+    """Any place or instant of the motion: what is asked is a function of it (`study/answering/functions.py`)."""
 
     name: str
 
-    @classmethod
-    def of(cls, names: Names, name: str) -> AnyPlace:
-        return cls(names.measures[name], 0, Symbol(name), f"{name} = {name}", name)
+    @staticmethod
+    def on(names: Names, name: str) -> AnyPlace | AnyInstant | None:
+        """Any value of a measure, or of the time `t`; None of anything else."""
+        if name in names.measures:
+            return AnyPlace(names.measures[name], 0, Symbol(name), f"{name} = {name}", name)
+        return AnyInstant(Symbol(name), f"{name} = {name}", name) if name == TIME_SINCE else None
+
+    @property
+    def dimension(self) -> Dimension:
+        """Of what it is a function of."""
+        raise NotImplementedError
+
+    def at(self, p: str) -> AskedEvent:
+        """The event that it is p."""
+        raise NotImplementedError
+
+
+@dataclass(frozen=True)
+class AnyPlace(Anywhere, QuestionEvent):
+    """A measure is anywhere. `value` is the measure itself."""
+
+    name: str  # pyrefly: ignore[bad-override]
+
+    @property
+    def dimension(self) -> Dimension:
+        return self.measure.dimension
+
+    def at(self, p: str) -> AskedEvent:
+        return QuestionEvent(self.measure, 0, Symbol(p), f"{self.name} = {p}")
+
+
+@dataclass(frozen=True)
+class AnyInstant(Anywhere, Clock):
+    """The clock shows any time since the start, which is `time` itself."""
+
+    name: str  # pyrefly: ignore[bad-override]
+
+    @property
+    def dimension(self) -> Dimension:
+        return TIME
+
+    def at(self, p: str) -> AskedEvent:
+        return Clock(Symbol(p), f"{self.name} = {p}")
 
 
 @dataclass(frozen=True)

@@ -1,5 +1,5 @@
 """Reading questions: what is asked in the words of the grammar or in others, and the options to choose from.
-`QUANTITY as a function of MEASURE` is asked of any place.
+`QUANTITY as a function of MEASURE` is asked of any place, `QUANTITY as a function of t` of any instant.
 """
 
 from __future__ import annotations
@@ -17,7 +17,7 @@ from freebody.model.noting import did_you_mean
 from freebody.model.phrases import phrase_text
 from freebody.questions.base import Quantity
 from freebody.questions.course import Counted, Transition, as_condition
-from freebody.questions.event import AnyPlace, AskedEvent
+from freebody.questions.event import AnyInstant, AnyPlace, Anywhere, AskedEvent
 from freebody.questions.grammar import read_phrase
 from freebody.questions.reading_when import Meant, beside_a_stop
 
@@ -174,8 +174,8 @@ def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]
 def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     text = beside_a_stop(names, text)
     function = _AS_FUNCTION.fullmatch(text)
-    if function is not None and function["of"] in names.measures and when is None:
-        return _as_function(names, text, function["what"], function["of"])
+    if function is not None and when is None and (anywhere := Anywhere.on(names, function["of"])) is not None:
+        return _as_function(names, text, function["what"], anywhere)
 
     def read(words: str) -> Meant | None:
         return read_phrase(names, as_condition(names, words.rstrip(" ?!")), when)
@@ -210,11 +210,10 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     return [] if told is None else [(told, as_condition(names, found[0][1]))]
 
 
-def _as_function(names: Names, text: str, what: str, of: str) -> list[tuple[Meant, str]]:
-    """A quantity as a function of a measure; what is counted on the way up to it, too."""
-    dimension = names.measures[of].dimension
-    unit = "rad" if dimension == DIMENSIONLESS else str(dimension)
-    place, until = AnyPlace.of(names, of), f" until {of} = {_ANYWHERE} {unit}"
+def _as_function(names: Names, text: str, what: str, place: AnyPlace | AnyInstant) -> list[tuple[Meant, str]]:
+    """A quantity as a function of a measure or of the time; what is counted on the way up to it, too."""
+    of, dimension = place.name, place.dimension
+    until = f" until {of} = {_ANYWHERE} {'rad' if dimension == DIMENSIONLESS else dimension}"
     found = _quietly_meant(names, what)
     counted = [] if found else _quietly_meant(names, f"{what}{until}")
     if not found and not counted:

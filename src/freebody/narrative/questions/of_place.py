@@ -1,8 +1,8 @@
-"""A quantity as a function of the place: derived for one place of the motion, which may be any.
+"""A quantity as a function of the place or of the time: derived for one place of the motion, which may be any.
 
 Principle: the place is a parameter q1, so that the derivation of an event q = q1 is this one's as well, by a law that
 is integrated, by energy, or phase by phase; as q1 may be any place that the motion comes to, it is q again in the last
-line.
+line. The same goes for an instant t = t1.
 """
 
 from __future__ import annotations
@@ -18,17 +18,19 @@ from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
 from freebody.narrative.sharing import lines_of, result_line
-from freebody.questions.event import AnyPlace
+from freebody.questions.event import AnyInstant, Anywhere
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.functions_of_places import at_place
+from freebody.study.answering.functions import at_place
 from freebody.study.answering.solve import solve
+
+_WHAT = ("any_place", "any_instant")
 
 
 def derive(context: Context, question: Question, answer: Answer, method: Method) -> list[DerivationStage]:
     """The derivation at a place with a name of its own, then for any place. Raises CannotAnswer where there is none."""
     event = question.event
-    assert isinstance(event, AnyPlace)
+    assert isinstance(event, Anywhere)
     if answer.expression is None:
         raise CannotAnswer(answer.reason or Message("there is no closed form"))
     alone, place = at_its_place(context, question), _name_of(context, event)
@@ -37,8 +39,9 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     if given.expression is None:
         raise CannotAnswer(given.reason or Message("there is no closed form"))
     opened = alone.script()
-    with opened.stage("stage.any_place", "hint.any_place"):
-        opened.say("course.at_any_place", name=Symbol(event.name), place=place)
+    what = _WHAT[isinstance(event, AnyInstant)]
+    with opened.stage(f"stage.{what}", f"hint.{what}"):
+        opened.say(f"course.at_{what}", name=Symbol(event.name), place=place)
     stages = [*opened.stages, *derivation_of(made, there)(alone, there, given, method)]
     last = result_line(stages)
     if last is None:
@@ -50,7 +53,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     return [*stages, *ends]
 
 
-def _name_of(context: Context, event: AnyPlace) -> Symbol:
+def _name_of(context: Context, event: Anywhere) -> Symbol:
     has_index = event.name[-1].isdigit() or "_" in event.name
     return context.symbol(*([] if has_index else [f"{event.name}1"]), f"{event.name}_1", f"{event.name}_there")
 
@@ -59,7 +62,7 @@ def at_its_place(context: Context, question: Question) -> Context:
     """The context of the system with the place as a parameter, whose only question is about this place; that of any
     other question is its own."""
     event = question.event
-    if not isinstance(event, AnyPlace):
+    if not isinstance(event, Anywhere):
         return context
     if question.id not in context.at_places:
         place = _name_of(context, event)

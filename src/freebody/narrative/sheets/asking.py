@@ -14,7 +14,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.clock import Clock
 from freebody.questions.conservation import Conserved
 from freebody.questions.course import Transition
-from freebody.questions.event import AnyPlace, ChangeEvent, ExtremeEvent, OfQuantity
+from freebody.questions.event import Anywhere, ChangeEvent, ExtremeEvent, OfQuantity
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.questions.rest import FirstFailure, Holds, RestLimit
@@ -110,7 +110,7 @@ def _when(question: Question, system: System) -> Argument:
     if isinstance(question.event, Clock):
         time = question.event.time
         return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
-    if isinstance(question.event, AnyPlace):
+    if isinstance(question.event, Anywhere):
         return Sentence("ask.function", {"of": question.event.value})
     if isinstance(question.event, ExtremeEvent):
         of = None if question.event.quantity is None else question.event.quantity.sentence(system)

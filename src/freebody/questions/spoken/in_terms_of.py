@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.model.noting import did_you_mean
+from freebody.questions.clock import TIME_SINCE
+from freebody.questions.event import AnyInstant, AnyPlace, Anywhere
 from freebody.questions.spoken.lexicon import contexts, languages
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.suggesting import not_understood
@@ -22,10 +24,16 @@ if TYPE_CHECKING:
 _LONGEST_SYMBOL = 6  # letters of a name that is no word: thetta
 
 
-def as_function(names: Names, text: str) -> tuple[str, str] | None:
-    """What is asked as a function of a measure in the words of a language, and that measure."""
-    found = _in_terms_of(text)
-    return None if found is None or found["of"] not in names.measures else (found["what"], found["of"])
+def as_function(names: Names, text: str) -> tuple[str, AnyPlace | AnyInstant] | None:
+    """What is asked as a function of a measure or of the time in the words of a language, and of what."""
+    if (found := _in_terms_of(text)) is None:
+        what = _over_time(text)
+        return None if what is None or (place := Anywhere.on(names, TIME_SINCE)) is None else (what, place)
+    is_time = found["of"] not in names.measures and any(
+        re.fullmatch(contexts(language)["time"], found["of"], re.IGNORECASE) for language in languages()
+    )
+    place = Anywhere.on(names, TIME_SINCE if is_time else found["of"])
+    return None if place is None else (found["what"], place)
 
 
 def misspelt(names: Names, text: str) -> Message | None:
@@ -38,6 +46,13 @@ def misspelt(names: Names, text: str) -> Message | None:
         return None  # a word that nothing is known of: the usual readings tell it
     hint = did_you_mean(of, known)
     return Message("{name} is not a measure: nothing can be told as a function of it.{hint}", name=of, hint=hint)
+
+
+def _over_time(text: str) -> str | None:
+    """What is asked at the time t, or as it changes with the time: y(t)."""
+    each = (re.fullmatch(contexts(language)["over_time"], text, re.IGNORECASE) for language in languages())
+    found = next((found for found in each if found is not None), None)
+    return None if found is None else next(what for what in found.groups() if what is not None)
 
 
 def _in_terms_of(text: str) -> re.Match[str] | None:

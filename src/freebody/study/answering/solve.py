@@ -13,7 +13,7 @@ from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, evaluate, free_s
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
-from freebody.questions.event import AnyPlace
+from freebody.questions.event import Anywhere
 from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
@@ -26,7 +26,7 @@ from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
-from freebody.study.answering.functions_of_places import as_function
+from freebody.study.answering.functions import as_function
 from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
@@ -55,7 +55,7 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
     if question is not None:
         own, asked = system.asked_with(*each(question))
         system, setup = own, setup if own is system else None
-    functions = {q.id: as_function(system, q, q.event, solve) for q in asked if isinstance(q.event, AnyPlace)}
+    functions = {q.id: as_function(system, q, q.event, solve) for q in asked if isinstance(q.event, Anywhere)}
     questions, no_place = placed(system, [q for q in asked if q.id not in functions], solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}

@@ -15,6 +15,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import Call, Expr, Symbol, add, free_symbols, replace_rates, substitute
 from freebody.language.notation import stated_plain
 from freebody.language.sentences import Message, in_turn, listed
+from freebody.language.units import TIME
 from freebody.model.elements import ConstraintRow
 from freebody.present.lines import system_line
 from freebody.present.report.blocks import Block, Report, Section
@@ -170,9 +171,10 @@ def path_conditions(tree: PhaseTree, path: Path) -> list[Condition]:
 
 
 def relations(tree: PhaseTree, conditions: list[Condition]) -> list[SolvedRelation]:
-    """Conditions solved for the coefficients of friction."""
-    model = tree.home.model
-    unknowns = generators_of(model.field, coefficients_of_friction(tree.system), model.parameters)
+    """Conditions solved for times, as that until which something lasts, and for the coefficients of friction."""
+    model, system = tree.home.model, tree.system
+    times = [name for name, known in system.parameters.items() if known.dimension == TIME]
+    unknowns = generators_of(model.field, (*times, *coefficients_of_friction(system)), model.parameters)
     return simplified(conditions, unknowns)
 
 

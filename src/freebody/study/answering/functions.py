@@ -1,8 +1,8 @@
-"""A quantity as a function of the place: v(s), the normal force by the angle.
+"""A quantity as a function of the place or of the time: v(s), the normal force by the angle, x(t).
 
 The place is a parameter p: what is asked is so when s = p, by everything that events of measures have, formulas,
 conditions and evidence, and in the answer p is s again. What has no rates in its formula is a function of the place as
-it stands.
+it stands. The same goes for the time since the start, of which there are cases as the motion goes on.
 """
 
 from __future__ import annotations
@@ -20,8 +20,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.messages import Shown
 from freebody.questions.clock import Clock
-from freebody.questions.event import AnyPlace
-from freebody.questions.event_base import QuestionEvent
+from freebody.questions.event import AnyInstant, AnyPlace, Anywhere
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import NOT_VALID, Answer, refused
@@ -31,13 +30,14 @@ from freebody.study.setup import Setup
 from freebody.system.system import System
 
 _TIMES = (Fraction(1, 4), Fraction(1, 16), Fraction(1), Fraction(4), Fraction(16))  # [s] at which a place is looked for
+_SOON = Fraction(1, 16)  # [s] an instant of the first phase, unless that is a short one
 _MOVED = 1e-9  # [SI] since the start
 
 Solver = Callable[[System], Solution]
 
 
-def as_function(system: System, question: Question, event: AnyPlace, solve: Solver) -> Answer:
-    """The answer as a function of the place; where there is no such formula, the one by place and rates."""
+def as_function(system: System, question: Question, event: Anywhere, solve: Solver) -> Answer:
+    """The answer as a function of the place or the time; else that by places and rates, which says why."""
 
     def asked(of: System, at: Question) -> Answer:
         return solve(replace(of, questions=(at,))).answers[0]
@@ -52,7 +52,7 @@ def as_function(system: System, question: Question, event: AnyPlace, solve: Solv
     except (CannotAnswer, ModelError, InputError) as error:
         found = refused(question, str(error))
     if found.expression is not None:
-        return _in_the_measure(found, p, event.name)
+        return _in_the_measure(found, p, event)
     told = Message("by {name} alone it has no formula: {why}", name=event.name, why=found.reason)
     if anywhere is None or anywhere.expression is None:
         return refused(question, told)
@@ -69,23 +69,27 @@ def _is_of_place_alone(system: System, answer: Answer, name: str) -> bool:
     return "rate(" not in ", ".join(map(to_python, parts)) and inside <= {*system.parameters, name, "pi"}
 
 
-def at_place(system: System, question: Question, event: AnyPlace, p: str) -> tuple[System, Question]:
-    """The system with a place of its motion as a parameter p, and the question at that place. Raises CannotAnswer where
-    the motion comes to no other place than that of the start."""
-    there = QuestionEvent(event.measure, 0, Symbol(p), f"{event.name} = {p}")
-    return _with_place(system, question, event, p), replace(question, event=there, options={}, key=None)
+def at_place(system: System, question: Question, event: Anywhere, p: str) -> tuple[System, Question]:
+    """The system with a place or an instant of its motion as a parameter p, and the question there. Raises CannotAnswer
+    where the motion comes to no other place than that of the start."""
+    if isinstance(event, AnyPlace):
+        given = {"value": _another_place(system, question, event), "sign": "any"}
+    else:
+        given = {"value": f"{float(_SOON)!r} s"}
+    document = system.document.with_value(("parameters", p), given)
+    made = System.from_text(document.with_value(("questions",), []).dumps(), system.file)
+    return made, replace(question, event=event.at(p), options={}, key=None)
 
 
-def _with_place(system: System, question: Question, event: AnyPlace, p: str) -> System:
-    """The system with a place of its motion as a parameter p."""
+def _another_place(system: System, question: Question, event: AnyPlace) -> str:
+    """A place of the motion, with its unit."""
     place = replace(question, quantity=OfMeasure(event.measure, 0, event.name), options={}, key=None)
     begin = _number(system, replace(place, event=None, at_start=True))
     for time in _TIMES:
         x = _number(system, replace(place, event=Clock(number(time), f"t = {float(time):g} s")))
         if abs(x - begin) > _MOVED:
             unit = "rad" if event.measure.dimension == DIMENSIONLESS else str(event.measure.dimension)
-            document = system.document.with_value(("parameters", p), {"value": f"{x!r} {unit}", "sign": "any"})
-            return System.from_text(document.with_value(("questions",), []).dumps(), system.file)
+            return f"{x!r} {unit}"
     raise CannotAnswer(Message("{name} does not change, or how is not known", name=event.name))
 
 
@@ -109,8 +113,9 @@ def _free_name(system: System) -> str:
     return next(name for k in range(len(taken) + 1) if (name := f"place_{k}") not in taken)
 
 
-def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
-    """An answer with the measure in the place of the parameter that stands for it."""
+def _in_the_measure(answer: Answer, p: str, event: Anywhere) -> Answer:
+    """An answer with the measure, or the time, in the place of the parameter that stands for it."""
+    name = event.name
 
     def put(e: Expr) -> Expr:
         return substitute(e, {p: Symbol(name)})
@@ -142,16 +147,21 @@ def _in_the_measure(answer: Answer, p: str, name: str) -> Answer:
         return isinstance(said, Message) and said.template.startswith("with the given numbers")
 
     assert answer.expression is not None
+    if isinstance(event, AnyInstant):
+        first_time: tuple[str, ...] = ()
+        cases = tuple(
+            replace(case, expression=all_of(case.expression), conditions=tuple(map(told, case.conditions)))
+            for case in answer.cases
+        )
+    else:  # cases are of places beyond, of which others are true
+        first_time, cases = (Message("as it is when it comes to {name} for the first time", name=name),), ()
     return replace(
         answer,
         expression=all_of(answer.expression),
         value=None,
         conditions=tuple(map(told, answer.conditions)),
-        notes=(
-            *(told(note) for note in answer.notes if not is_of_numbers(note)),
-            Message("as it is when it comes to {name} for the first time", name=name),
-        ),
-        cases=(),  # of places beyond, of which others are true
+        notes=(*(told(note) for note in answer.notes if not is_of_numbers(note)), *first_time),
+        cases=cases,
         chain=None,
         why_no_value=Message("it is a function of {name}", name=name),
     )
