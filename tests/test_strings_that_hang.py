@@ -93,3 +93,42 @@ def test_what_is_held_aside_is_warned_of(load: str, n: int) -> None:
     said = [w.text() for w in system.warnings if w.kind == "held aside"]
     assert len(said) == n
     assert all("10 N sideways" in text for text in said)
+
+
+PENDULUM = """
+parameters: {{m: 2 kg, L: 0.8 m, v: 6 m/s, g: 9.81 m/s^2}}
+bodies: {{bob: {{particle: {{mass: m}}}}}}
+connections: {{cord: {string}}}
+loads: {{weight: {{gravity: g}}}}
+measures: {{theta: {theta}}}
+start: {{theta: 0, rate(theta): v/L}}
+"""
+
+
+@pytest.mark.parametrize(
+    "string", ["{string: {from: ground, to: bob, length: L}}", "{rope: {from: bob, to: ground, length: L}}"]
+)
+def test_a_string_with_its_length_swings_and_goes_slack(agrees: Agree, string: str) -> None:
+    """m g cos(theta) + m w^2/L = 0 with w^2 = v^2 - 2 g L (1 - cos(theta)): cos(theta) = (2 - v^2/(g L))/3, so it goes
+    slack for 2 g L < v^2 < 5 g L (Meriam & Kraige, Dynamics, ch. 3)."""
+    system = fb.System.from_text(PENDULUM.format(string=string, theta="angle of cord from down"))
+    solution = system.solve(["range of v for which cord stays taut", "height of bob when cord goes slack"])
+    agrees(solution, "q1", ["sqrt(2*g*L)", "sqrt(5*g*L)"])
+    agrees(solution, "q2", "(v**2 - 2*g*L)/(3*g)")
+
+
+def test_the_angle_of_a_link_is_that_of_its_line(agrees: Agree) -> None:
+    text = PENDULUM.format(string="{link: [bob, ground, L]}", theta="angle of cord from down clockwise")
+    solution = fb.System.from_text(text).solve(["acceleration of theta", "x of bob"])
+    agrees(solution, "q1", "-g*sin(theta)/L")
+    agrees(solution, "q2", "-L*sin(theta)")
+
+
+def test_a_string_over_a_pulley_has_no_length_of_its_own() -> None:
+    text = """
+parameters: {m: 2 kg, R: 0.1 m}
+bodies: {left: {particle: {mass: m}}, right: {particle: {mass: m}}, pulley: {disk: {radius: R}}}
+connections: {axle: {pin: [ground, pulley]}, cord: {string: {from: left, over: [pulley], to: right, length: 2 m}}}
+"""
+    with pytest.raises(fb.InputError, match="a length is that of a string between two points"):
+        fb.System.from_text(text)

@@ -145,6 +145,10 @@ class Connection(Spec):
         """The slope and the friction of its thread, or why there is none."""
         return Message("{connection} has no thread, as screws and worms do", connection=self.own_name(names))
 
+    def straight_between(self, names: Names) -> tuple[Point, Point] | None:
+        """The ends of what is a straight line between two points, as a link is."""
+        return None
+
     def mentions(self, names: Names) -> set[str]:
         """Names of the bodies that it joins."""
         return {owner for owner, _point in self._named(names)}

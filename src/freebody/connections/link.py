@@ -11,7 +11,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.combination import Combination
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import ONE
+from freebody.measures.geometry import ONE, Point
 from freebody.model import glyphs
 from freebody.model.elements import ConstraintRow
 from freebody.model.glyphs import Glyph
@@ -65,6 +65,9 @@ connections: {it: {link: [ground.A, bob]}}
         length = names.length_or(self, "length")
         held = distance if length is not None else Combination(((ONE, distance),), LENGTH)
         return [ConstraintRow("length", "tension", held, length, sign=-1, ends=(first.body, second.body))]
+
+    def straight_between(self, names: Names) -> tuple[Point, Point]:
+        return names.point(self.first, "first"), names.point(self.second, "second")
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         length = names.length_or(self, "length")

@@ -90,6 +90,10 @@ class Joining(Protocol):
         """Whether the places of its bodies are those of one body."""
         ...
 
+    def straight_between(self, names: Names) -> tuple[Point, Point] | None:
+        """The ends of what is a straight line between two points, as a link is."""
+        ...
+
     def joined_points(self, names: Names) -> tuple[Point, Point] | None:
         """The two points that it keeps together while both bodies turn, in the plane."""
         ...

@@ -231,9 +231,21 @@ def _bearing(names: Names, found: Found, path: Path) -> Measure:
     """The angle of the line from one point to another, counter-clockwise from a direction (else from `right`)."""
     ref = RIGHT if found["ref"] is None else names.direction(found["ref"], *path)
     start, end = names.point(found["start"], *path), names.point(found["end"], *path)
+    return _of_line(start, end, ref, found["cw"] or found["cw1"])
+
+
+def _of_line(start: Point, end: Point, ref: Direction, clockwise: str | None) -> Measure:
     if len(ref.components) > 2 and ref.components[2] != number(0):
         return _inclination(start, end, ref)
-    return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), found["cw"] or found["cw1"])
+    return _clockwise(Bearing(start, end, ref.body, direction_angle(ref)), clockwise)
+
+
+def _line_of(names: Names, name: str) -> tuple[Point, Point] | None:
+    """The line of a connection that is straight, from the ground on."""
+    if name in names.bodies or name not in names.connections:
+        return None
+    ends = names.connections[name].straight_between(names)
+    return ends if ends is None or ends[1].body != GROUND else (ends[1], ends[0])
 
 
 def _inclination(start: Point, end: Point, ref: Direction) -> Measure:
@@ -340,7 +352,7 @@ def _alignment(names: Names, found: Found, path: Path) -> Measure:
 
 
 @_phrase(
-    "angle of BODY [from DIRECTION | relative to BODY] [clockwise]",
+    "angle of BODY | of LINK [from DIRECTION | relative to BODY] [clockwise]",
     r"(?P<cw1>clockwise )?angle of (?P<of>[A-Za-z_]\w*)(?P<cw2> clockwise(?= from | relative to | against ))?"
     r"(?: from (?P<ref>.+?)| (?:relative to|against) (?P<rel>[A-Za-z_]\w*))?(?P<cw> clockwise)?",
     """
@@ -350,7 +362,11 @@ measures: {theta: angle of rod from down}
 )
 def _angle(names: Names, found: Found, path: Path) -> Measure:
     """The angle of the x axis of a body, counter-clockwise from a direction (else from `right`), or from the x axis of
-    another body. In space it is the angle of the one joint about whose axis the body turns, if that is not z."""
+    another body. In space it is the angle of the one joint about whose axis the body turns, if that is not z. That of a
+    link, or of a string between two points, is that of its line, from what stands to what moves."""
+    if (line := _line_of(names, cast("str", found["of"]))) is not None and found["rel"] is None:
+        clockwise = found["cw"] or found["cw1"] or found["cw2"]
+        return _of_line(*line, RIGHT if found["ref"] is None else names.direction(found["ref"], *path), clockwise)
     body = names.body(cast("str", found["of"]), *path)
     if not body.turns:
         told = Message(

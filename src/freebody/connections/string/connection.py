@@ -34,13 +34,14 @@ from freebody.connections.string.laying import (
 from freebody.connections.string.node import StringNode
 from freebody.connections.string.sections import StringSection, sections_of
 from freebody.connections.string.tackle import drawn_falls, lossy_sheaves, with_falls
-from freebody.connections.string.way import is_held, is_way_given, named_on, places_given, read_way
+from freebody.connections.string.way import is_held, is_round, is_way_given, named_on, places_given, read_way
 from freebody.language.expression import Expr, add, negate
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, ONE, RIGHT, ZERO, Direction, Point
 from freebody.measures.turned import turned_in
 from freebody.model import glyphs
@@ -82,18 +83,18 @@ class String(Connection, kind="string"):
     `string: {path: [wound on drum radius r at right, under moving, over fixed, ground.A]}`.
 
     The string does not slip on the pulleys that it `grips` (default: all bodies that can turn); over the others it
-    slides without friction. Each stretch between grips keeps its length and has one tension, positive when it
-    pulls. A body that nothing else holds hangs on the string and moves up and down, below the point where its lead
-    leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the
-    guide if the body has no position, or one from which it does so whatever the parameters are; `leads` states the
-    directions instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true`
-    also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of
-    that. In space it runs from point to point, through rings and
-    over small pulleys, or over wheels in any plane: each turns about the axis of its revolute joint, which
-    has to keep its direction, and what is at an end is guided in the plane of the wheel beside it or hangs. Between
-    wheels whose axes are not parallel it runs along the line in which their planes meet, and from the ground to wheels
-    on a jib that turns along the axis of that turn; a drum is wound `clockwise`
-    or `counterclockwise` as seen against its axis, and `left` is where x is negative.
+    slides without friction. Each stretch between grips keeps its length and has one tension, positive when it pulls.
+    Between two points its length may be given, and what it carries swings: `{from: ground.O, to: ball, length: L}`. A
+    body that nothing else holds hangs on the string and moves up and down, below the point where its lead leaves the
+    pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the guide if the
+    body has no position, or one from which it does so whatever the parameters are; `leads` states the directions
+    instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true` also for
+    hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of that. In
+    space it runs from point to point, through rings and over small pulleys, or over wheels in any plane: each turns
+    about the axis of its revolute joint, which has to keep its direction, and what is at an end is guided in the
+    plane of the wheel beside it or hangs. Between wheels whose axes are not parallel it runs along the line in which
+    their planes meet, and from the ground to wheels on a jib that turns along the axis of that turn; a drum is wound
+    `clockwise` or `counterclockwise` as seen against its axis, and `left` is where x is negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
@@ -120,10 +121,6 @@ class String(Connection, kind="string"):
             "[0, 0] in the body to which it leads"
         ),
         "radius": Message("it is wound on a circle of another radius than the rim as: to: wound on yoyo radius r"),
-        "length": Message(
-            "it is as long as where its ends and the bodies on its way are put (at) makes it; two points at a fixed "
-            "distance are a link: {{from: A, to: B, length: L}}"
-        ),
         **dict.fromkeys(
             ("wound_on", "wound", "winds", "unwinds", "unwinds_from"),
             Message("what it is wound on is one of its ends, with its side: to: wound on yoyo at right"),
@@ -162,6 +159,7 @@ class String(Connection, kind="string"):
     grips: list[str] | None = None
     leads: list[Heading] | None = None
     swings: bool = False
+    length: Formula | None = None
     friction: Formula | dict[str, Any] = 0
     wrap: Formula | dict[str, Formula] | None = None
     falls: Formula = 1
@@ -251,10 +249,26 @@ connections:
         sections = sections_of(run, grips)
         rough = rough_drums(self.friction, _slid_over(sections))
         return [
-            *(section.row(len(sections), rough | self._lossy(run)) for section in sections),
+            *(
+                self._as_long_as_given(names, section.row(len(sections), rough | self._lossy(run)))
+                for section in sections
+            ),
             *self._hanging(names, run),
             *self._idle(names, run.way, grips, rough),
         ]
+
+    def _as_long_as_given(self, names: Names, row: ConstraintRow) -> ConstraintRow:
+        """The row of a string between two points with its length; else it is as long as at the start."""
+        if self.length is None:
+            return row
+        if (ends := self.straight_between(names)) is None:
+            told = Message(
+                "a string over pulleys or on a drum is as long as where its ends and the bodies on its way are put "
+                "(at) makes it; a length is that of a string between two points"
+            )
+            names.problem(told, "length")
+            return row
+        return replace(row, measure=Distance(*ends), target=names.length_or(self, "length"))
 
     def bounds(self, names: Names, connection: str) -> tuple[list[UnilateralConstraint], list[DryFriction]]:
         if self.friction in (0, None) and self.efficiency is None:
@@ -298,7 +312,7 @@ connections:
         if not is_way_given(names, self):
             return None
         texts, fields = zip(*self._places(), strict=True)
-        way = read_way(names, texts, fields, swings=self.swings)
+        way = read_way(names, texts, fields, swings=self.swings or self.length is not None)
         way = None if way is None else with_falls(names, way, self)
         if way is None:
             return None
@@ -442,8 +456,8 @@ connections:
         turned = {name for push in names.applied_loads for name in turned_in(push.measure)}
         for node in (*way[1:-1], *(n for n in way[-1:] if n.falls != ONE)):
             body, unit = names.known(node.body), _welded_to(names, node.body)
-            is_round = node.radius != ZERO or (node is way[-1] and set(node.point.offset) == {ZERO})
-            if node.body in grips or not is_round or not node.turned or not body.turns:
+            runs_round = node.radius != ZERO or (node is way[-1] and set(node.point.offset) == {ZERO})
+            if node.body in grips or not runs_round or not node.turned or not body.turns:
                 continue
             welded = [names.known(name) for name in unit - {node.body}]
             if body.inertia != ZERO or any(b.fixed or {b.mass, b.inertia} != {ZERO} for b in welded):
@@ -487,6 +501,13 @@ connections:
                 )
                 return aside if lead.length is None else lead.length
         return None
+
+    def straight_between(self, names: Names) -> tuple[Point, Point] | None:
+        places = self._places()
+        if len(places) != 2 or any(is_round(names, text) for text, _field in places):
+            return None
+        (first, at_first), (second, at_second) = places
+        return names.point(first, *at_first), names.point(second, *at_second)
 
     def mentions(self, names: Names) -> set[str]:
         return named_on(text for text, _field in self._places())
