@@ -89,3 +89,17 @@ connections:
   D: {spherical: [two.end, ground.D]}
 """
     assert "It closes only where d <= " in refused(text)
+
+
+def test_a_loop_whose_ends_are_joined_in_one_place_asks_for_the_points_that_are_meant() -> None:
+    """Rods by their names alone are pinned in their middles, so that A and B would be one place."""
+    text = """
+parameters: {a: 4 m, h: 3 m}
+ground: {points: {A: [-a, 0], B: [a, 0]}}
+bodies: {left: {rod: {from: [-a, 0], to: [0, h]}}, right: {rod: {from: [0, h], to: [a, 0]}}}
+connections: {A: {pin: [ground.A, left]}, B: {pin: [ground.B, right]}, C: {pin: [left, right]}}
+"""
+    with pytest.raises(
+        fb.ModelError, match=r"8 m long, and what joins its ends holds them in one place\. .* rod\.start"
+    ):
+        fb.System.from_text(text).solve("reaction of A")

@@ -320,3 +320,25 @@ def test_just_beside_a_stop_is_beside_its_impact(said: str, meant: str) -> None:
     """What is so when x = d is so just before the wall strikes back."""
     [question] = fb.System.from_text(AGAINST_A_WALL).asked_with(said)[1]
     assert question.understood.replace(" of wall", "") == meant
+
+
+DROPPED = """
+parameters: {m: 6 kg, L: 2 m, h: 1 m, d: 0.5 m, e: {value: 0, sign: any}, g: 9.81 m/s^2}
+ground: {points: {S: [d, -h]}}
+bodies: {beam: {rod: {mass: m, length: L}, at: [0, 0], angle: 0}}
+connections: {s: {contact: {between: [beam, ground.S], restitution: e}}}
+loads: {w: {gravity: g}}
+"""
+
+
+def test_a_coefficient_of_restitution_that_is_zero_is_one_case_of_two() -> None:
+    """A level beam that falls with v = sqrt(2 g h) on a support at d from its middle: P (1/m + 12 d^2/(m L^2)) =
+    (1 + e) v, w = 12 P d/(m L^2), and the energy lost is (1 - e) v P/2."""
+    asked = ["angular velocity of beam after the impact", "energy lost in the impact"]
+    formulas = ("12*d*sqrt(2*g*h)/(L^2 + 12*d^2)", "m*g*h*L^2/(L^2 + 12*d^2)")
+    for question, formula in zip(asked, formulas, strict=True):
+        answer = is_formula(DROPPED, question, formula)
+        assert "e = 0" in answer.conditions
+        assert [case.conditions[-1] for case in answer.cases] == ["e = 0", "e > 0"]
+    found = posed(DROPPED, "range of e for which energy lost in the impact > 10 J")
+    assert found.value == pytest.approx((0.0, math.sqrt(1 - 10 / (6 * 9.81 * 4 / 7))))

@@ -726,3 +726,19 @@ def test_a_pull_at_a_rim_that_goes_round_is_told() -> None:
     assert "wound on spool radius r at bottom" in told
     assert warned(text.replace("POINT", "center").replace("WAY", "right")) == []
     assert warned(text.replace("POINT", "rim").replace("WAY", "spool.x")) == []
+
+
+def test_two_sliders_that_keep_both_bodies_from_turning_are_told() -> None:
+    """Each holds the angle that the other one holds as well, through the hinge and the floor."""
+    text = """
+parameters: {m: 4 kg, L: 1 m, alpha: 60 deg, g: 9.81 m/s^2}
+bodies: {left: {rod: {mass: m, length: L}, angle: alpha}, right: {rod: {mass: m, length: L}, angle: 180 deg - alpha}}
+connections:
+  hinge: {pin: [left.end, right.end]}
+  f1: {slider: {body: left.start, along: right}}
+  f2: {slider: {body: right.start, along: right}}
+loads: {w: {gravity: g}}
+measures: {theta: angle of left}
+"""
+    told = [warning.text() for warning in fb.System.from_text(text).warnings]
+    assert any("f1 keeps left from turning, so that theta has no effect" in message for message in told)

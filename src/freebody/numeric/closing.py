@@ -292,7 +292,17 @@ def _shortest(sides: Sequence[_Side], without: _Side) -> list[_Side] | None:
 
 
 def _told(corners: _Corners, side: _Side, chain: Sequence[_Side], *, with_start: bool) -> str:
-    """The side, the chain, and the inequality between them."""
+    """The side, the chain, and the inequality between them; of no chain, that both ends are one place."""
+    begun = Message("with the start that is given ") if with_start else ""
+    if not chain:
+        return Message(
+            "{begun}no pose closes the loop: {side} is {length:.4g} m long, and what joins its ends holds them in one "
+            "place. The name of a body alone means one point of it, of a rod its middle: name the points that are "
+            "joined, as in rod.start",
+            begun=begun,
+            side=side.told,
+            length=side.length,
+        )
     reach = sum(other.length for other in chain)
     written = [part.formula or f"{part.length:.4g} m" for part in (side, *chain)]
     return Message(
@@ -301,7 +311,7 @@ def _told(corners: _Corners, side: _Side, chain: Sequence[_Side], *, with_start:
         if len(chain) > 1
         else "{begun}no pose closes the loop: {side} is {length:.4g} m long, and all that goes from one end of it to "
         "the other is {chain}. It closes only where {inequality}",
-        begun=Message("with the start that is given ") if with_start else "",
+        begun=begun,
         side=side.told,
         length=side.length,
         chain=listed([f"{part.told} ({part.length:.4g} m)" for part in chain]),

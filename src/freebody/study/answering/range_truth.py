@@ -153,6 +153,7 @@ class TruthInNumbers:
             "<": value < 0,
             "<=": value <= 0,
             "!=": value != 0,
+            "=": value == 0,
         }[relation]
 
     def domain(self) -> tuple[float, float]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Collection, Iterator
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any, ClassVar
@@ -83,9 +83,10 @@ class Opened:
         row = self.reference.jet(at.geometry, measure).row(len(at.q))
         return np.asarray(row * self.reference.sizes.unit_moves, dtype=np.float64)
 
-    def free(self, at: Snapshot, without: ConstraintRow | None = None) -> Array:
-        """(n, n_free) directions that the constraints leave, one of them left out."""
-        rows = [self.slope(row.measure, at) for row in self.system.constraint_rows if row is not without]
+    def free(self, at: Snapshot, without: Collection[ConstraintRow] = ()) -> Array:
+        """(n, n_free) directions that the constraints leave, some of them left out."""
+        kept = [row for row in self.system.constraint_rows if all(row is not other for other in without)]
+        rows = [self.slope(row.measure, at) for row in kept]
         if not rows:
             return np.eye(len(at.q))
         _u, sizes, directions = np.linalg.svd(np.array(rows))

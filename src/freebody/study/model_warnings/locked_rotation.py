@@ -2,8 +2,8 @@
 
 Of a slider's two rows one holds the angle. With F the directions that all constraints leave, and F' those that are
 left without that row, it has locked the system if F is empty and F' is not, and an angle that the model names or
-drives if that changes along F' and never along F. What stands on springs at several points pitches, where the file
-guides a point of it.
+drives if that changes along F' and never along F; F' is without all such rows where others of them hold it too. What
+stands on springs at several points pitches, where the file guides a point of it.
 """
 
 from __future__ import annotations
@@ -30,14 +30,18 @@ class LockedRotation(WarningKind, name="locked rotation"):
 
     def look(self, model: Opened) -> Iterator[ModelWarning]:
         system = model.system
-        for row in [row for row in system.constraint_rows if row.instead]:
-            at = model.elsewhere[0] if model.elsewhere else model.start
-            held, released = model.free(at), model.free(at, without=row)
+        at = model.elsewhere[0] if model.elsewhere else model.start
+        held, suspects = model.free(at), [row for row in system.constraint_rows if row.instead]
+        for row in suspects:
+            released = model.free(at, without=[row])
+            is_alone = released.shape[1] > held.shape[1]
+            if not is_alone:  # others hold it too, which may be meant as little
+                released = model.free(at, without=suspects)
             if released.shape[1] == held.shape[1]:
-                continue  # others hold it too
+                continue
             body = next(iter(row.measure.bodies()))
             moves = any(r.target is not None for r in system.constraint_rows)
-            if not held.shape[1] and not moves:
+            if is_alone and not held.shape[1] and not moves:
                 told = Message(
                     "{slider} keeps {body} from turning, so that nothing can move. If a point of {body} is guided, "
                     "write slot: {{pin: {point}, along: ...}}",

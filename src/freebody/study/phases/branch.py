@@ -21,7 +21,7 @@ from freebody.study.phases.tree import PhaseTree
 from freebody.study.phases.words import happening, label
 from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.phases.energy_motion import EnergyMotion
-from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.ratio import DivisorVanishes, Ratio
 from freebody.symbolic.validity import TAKEN
 
 _N_LOOKED_AT = 6  # parameter sets at which something that vanishes at all of them is nothing
@@ -44,6 +44,16 @@ class AnswerBranch:
     needs: list[Condition] = field(default_factory=list[Condition])  # without which it has no value, in the same field
     in_blow: bool = False  # it is of the blow with which the last phase begins
     n_before: int = 0  # phases before the blow or impact from which on the event is meant
+
+    def __post_init__(self) -> None:
+        """Where a parameter is zero, as a coefficient of restitution, it is put into the value."""
+        alone = [c.element for c in self.conditions if c.relation == "=" and len(c.element.generators()) == 1]
+        zeros = {f.index(x): f.zero for x in alone if x == (f := x.field).variable(f.index(x))}
+        if zeros and self.is_home:
+            with suppress(DivisorVanishes):
+                parts = self.value if isinstance(self.value, tuple) else (self.value,)
+                put = tuple(x.field.follow(x, zeros) for x in parts)
+                self.value = put if isinstance(self.value, tuple) else put[0]
 
     @property
     def phase(self) -> Phase:

@@ -231,9 +231,21 @@ class PhaseTree(Home):
         for signs, sets in self.by_sign({n: x for n, x in rates.items() if not x.is_zero()}, indices):
             closed = touching - {name for name, sign in signs.items() if sign}
             own = {r.name: slipping.sizes[r.name] for r in self.rubbing(closed)}
-            now = replace(instant, placed=placed, closed=closed, slips=own, ways=slipping.ways)
+            given = (*instant.given, *self.conditions([*self._rebounds(collision, signs)], sets))
+            now = replace(instant, placed=placed, closed=closed, slips=own, ways=slipping.ways, given=given)
             found += self._follow(now, sets, depth)
         return found
+
+    def _rebounds(self, collision: ClosedFormCollision, signs: Mapping[str, int]) -> Iterator[Inequality]:
+        """What of the coefficients of restitution makes contacts open or stay closed after an impact."""
+        for bound in collision.hits:
+            e = self.to_home(collision.setup, collision.here(collision.model.geometry.scalar(bound.restitution)))
+            name = bound.row.connection
+            if bound.name in signs and e.generators():
+                if signs[bound.name]:
+                    yield e, ">", Message("{contact} rebounds", contact=name)
+                else:
+                    yield e, "=", Message("{contact} does not rebound", contact=name)
 
     # -- blows in mid-motion ----------------------------------------------------------------------
     def _blown(self, node: PhaseNode, edge: PhaseEnd, instant: PhaseStart) -> list[PhaseNode]:
