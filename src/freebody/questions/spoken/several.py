@@ -91,8 +91,9 @@ def of_rivals(elements: Elements, text: str) -> str:
     if sides := sides_of(elements, text):
         return f"{sides[0]} and {sides[1]}"
     for language in languages():
+        both = plain_names(paired(elements, text, language))  # which of the two is the first
         for pattern, written in rivals(language):
-            text = pattern.sub(written, text)
+            text = pattern.sub(written, both if pattern.match(both) else text)
     return text
 
 
