@@ -211,7 +211,7 @@ class Phrases:
                 return self.said(inside, kind) or inside
 
     def _rows(self, text: str, *, measures: bool) -> str:
-        """Names, among them those of rows of connections and of measures: wall.slip of ladder.end on wall, x of ball."""
+        """Names, among them those of rows and of measures: wall.slip of ladder.end on wall, x of ball."""
         each = text.split(", ")
         return ", ".join(self.said(one, ROW) or (measures and " " in one and self.said(one)) or one for one in each)
 
