@@ -352,6 +352,9 @@ def test_rows_of_connections_and_kinds_are_named_in_german() -> None:
     assert of.parts(Message("{kind}", kind="gear_mesh")) == ["Zahneingriff"]
     assert of.parts(Message("{names}", names="y, x of ball")) == ["y, x-Koordinate von ball"]
     assert of.parts(Message("{mode} (this one)", mode="mode 2")) == ["mode 2", " (diese)"]  # as the file has to say it
+    ends = Message("{body} {what} on {other}", body="pipe", what=Message("stops slipping"), other="floor")
+    assert of.said(ends) == "pipe hört auf, auf floor zu gleiten"
+    assert of.said(Message("{contact} {state}", contact="ground.contact", state="sticking")) == "ground haftet"
     ratio = of.said("ratio of acceleration of a to acceleration of b")
     assert ratio == "Verhältnis von Beschleunigung von a zu Beschleunigung von b"
     twice = "value of P for which size of reaction of B = 2*size of reaction of A"
