@@ -502,6 +502,28 @@ Fragen: [Stabkraft in Zug]
     assert answer.value == pytest.approx(3000 * 13**0.5)  # T 2/sqrt(13) = 6 kN
 
 
+def test_german_prepositions_are_fields() -> None:
+    text = """
+parameter: {m_1: 4 kg, m_2: 2 kg, J: 0.02 kg m^2, R: 0.1 m, M: 1 N m, mu: 0.3, g: 9.81 m/s^2}
+boden: {points: {A: [3 m, 2 m]}, lines: {Boden: {along: right}}}
+körper:
+  Rolle: {körper: {trägheitsmoment: J, radius: R}}
+  m1: {massenpunkt: {masse: m_1}, bei: [3 m - R, 0.5 m]}
+  m2: {massenpunkt: {masse: m_2}, bei: [3 m + R, 0.5 m]}
+  Kiste: {rechteck: {masse: 5 kg, breite: 0.4 m, höhe: 0.4 m}, bei: [6 m, 0.2 m], auf: ground.Boden, reibbeiwert: mu}
+verbindungen: {Achse: {gelenk: [ground.A, Rolle]}, Seil: {seil: {von: m1, über: Rolle, nach: m2}}}
+lasten:
+  Gewicht: {gravity: g}
+  Motor: {moment: {auf: Rolle, betrag: M}}
+  Zug: {kraft: {bei: Kiste, richtung: rechts, betrag: 20 N}}
+fragen: [acceleration of m1 along down, friction force of Kiste_on_ground_Boden]
+"""
+    a, friction = fb.System.from_text(text).solve().answers
+    # counter-clockwise lowers m1, on the left: (m_1 + m_2 + J/R^2) a = (m_1 - m_2) g + M/R; 20 N is more than 0.3 m g
+    assert a.value == pytest.approx((2 * 9.81 + 1 / 0.1) / (6 + 0.02 / 0.1**2))
+    assert abs(friction.value) == pytest.approx(0.3 * 5 * 9.81)
+
+
 def test_words_may_be_spelt_as_people_spell_them() -> None:
     text = """
 titel: Planetengetriebe

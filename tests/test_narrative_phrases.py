@@ -14,7 +14,7 @@ import pytest
 import freebody as fb
 from command import freebody
 from examples_told import EXAMPLES, FOLDER, solved
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative import words
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.statement import ExerciseStatement
@@ -126,7 +126,7 @@ def test_what_is_said_of_a_point_begins_with_its_article() -> None:
 
 
 def test_kinds_of_places_have_phrases() -> None:
-    known = {*phrases_of("de").kinds, "", "name", "words", "list", "most"}
+    known = {*phrases_of("de").kinds, "", "name", "connection", "words", "list", "most"}
     assert {kind for p in PHRASES for _name, kind in PLACE.findall(p.english)} <= known
 
 
@@ -341,3 +341,21 @@ def test_the_name_of_something_is_spelt_as_in_the_file_where_a_sentence_begins()
     told = Catalogue("de").plain(Sentence("contact.touches", {"connection": "foot"}))
     assert "foot" in told
     assert "Foot" not in told
+
+
+def test_rows_of_connections_and_kinds_are_named_in_german() -> None:
+    of = phrases_of("de")
+    rows = "wall.slip of ladder.end on wall, floor.ladder.start on floor"
+    assert of.put(rows, "name") == "wall (Reibung, Ende von ladder auf wall), floor (Anfang von ladder auf floor)"
+    assert of.said("tension of rope between hand and upper") == "Zugkraft von rope zwischen hand und upper"
+    assert of.put("rope (slip on upper)", "name") == "rope (auf upper)"
+    assert of.parts(Message("{kind}", kind="gear_mesh")) == ["Zahneingriff"]
+    assert of.parts(Message("{names}", names="y, x of ball")) == ["y, x-Koordinate von ball"]
+    assert of.parts(Message("{mode} (this one)", mode="mode 2")) == ["mode 2", " (diese)"]  # as the file has to say it
+    ends = Message("{body} {what} on {other}", body="pipe", what=Message("stops slipping"), other="floor")
+    assert of.said(ends) == "pipe hört auf, auf floor zu gleiten"
+    assert of.said(Message("{contact} {state}", contact="ground.contact", state="sticking")) == "ground haftet"
+    ratio = of.said("ratio of acceleration of a to acceleration of b")
+    assert ratio == "Verhältnis von Beschleunigung von a zu Beschleunigung von b"
+    twice = "value of P for which size of reaction of B = 2*size of reaction of A"
+    assert of.said(twice) == "Wert von P mit Betrag der Kraft von B = 2*Betrag der Kraft von A"

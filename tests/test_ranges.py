@@ -57,6 +57,15 @@ measures: {y: y of ball}
 start: {y: 0, rate(y): 0}
 """
 
+BEAM = """
+parameters: {L: 2 m, F: 6 kN, H: 4 kN, S: 5 kN}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L}, angle: 0, at: {start: [0, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.end, through: ground.B, along: right}}}
+loads:
+  F: {force: {at: beam, along: down, magnitude: F}}
+  pull: {force: {at: beam.end, along: right, magnitude: H}}
+"""
 # model, question, ends, what the range is called
 RANGES = {
     # m L w^2 - m g >= 0 at the top, with w^2 = w0^2 - 4 g/L
@@ -95,6 +104,8 @@ RANGES = {
     "slowly": (ATWOOD, "range of m1 for which acceleration of x < a", ["m2*(g + a)/(g - a)"], "<"),
     "fast enough": (ATWOOD, "least m1 so that acceleration of x >= a", ["m2*(g + a)/(g - a)"], "≥"),
     "rope": (ATWOOD, "largest m2 so that tension of rope <= m1*g/2", ["m1/3"], "≤"),
+    # (H, F/2) in the pin: less than a value is the size of a force
+    "what a pin bears": (BEAM, "largest F so that reaction of A <= S", ["2*sqrt(S^2 - H^2)"], "≤"),
     # v0^2 = 2 mu g d
     "as far as d": (BLOCK, "range of v0 for which x reaches d", ["sqrt(2*mu*g*d)"], ">"),
     "smooth enough": (BLOCK, "range of mu for which x >= d when velocity of x = 0", ["v0^2/(2*g*d)"], "≤"),

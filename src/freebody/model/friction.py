@@ -14,10 +14,19 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 # What people call the two coefficients beside each other.
-AT_REST = ("static_friction", "mu_s", "mu_static", "static", "Haftreibung", "Haftreibungszahl", "Haftzahl")
+AT_REST = (
+    "static_friction",
+    "mu_s",
+    "mu_static",
+    "static",
+    "Haftreibung",
+    "Haftreibungszahl",
+    "Haftzahl",
+    "Haftbeiwert",
+)
 IN_MOTION = (
     *("kinetic_friction", "dynamic_friction", "sliding_friction", "mu_k", "mu_d", "mu_kinetic", "kinetic"),
-    *("Gleitreibung", "Gleitreibungszahl"),
+    *("Gleitreibung", "Gleitreibungszahl", "Gleitbeiwert"),
 )
 
 

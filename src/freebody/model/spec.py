@@ -118,7 +118,7 @@ MEANT: Mapping[str, tuple[str, ...]] = {
             (("Winkelgeschwindigkeit", "Drehzahl"), ("angular_velocity", "speed")),
             (("Federkonstante", "Federsteifigkeit", "Steifigkeit"), ("stiffness",)),
             (("Dämpfung", "Dämpfungskonstante"), ("damping",)),
-            (("Reibung", "Reibungszahl", "Reibungskoeffizient"), ("friction",)),
+            (("Reibung", "Reibungszahl", "Reibungskoeffizient", "Reibbeiwert"), ("friction",)),
             (("Stoßzahl",), ("restitution",)),
             (("Richtung",), ("along",)),
             (("Betrag", "Größe", "Wert"), ("magnitude", "strength", "intensity")),
@@ -144,8 +144,8 @@ SAME: frozenset[str] = frozenset((
     "Breite", "Höhe", "Trägheitsmoment", "Massenträgheitsmoment", "Zähne", "Zähnezahl", "Modul", "innen",
     "Innenverzahnung", "Schwerpunkt", "fest", "Winkel", "Lage", "Ort", "Position", "Geschwindigkeit",
     "Winkelgeschwindigkeit", "Drehzahl", "Federkonstante", "Federsteifigkeit", "Steifigkeit", "Dämpfung",
-    "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Richtung", "Betrag",
-    "Größe", "Wert", "an", "Körper", "Bauteil", "Punkt", "zwischen",
+    "Dämpfungskonstante", "Reibung", "Reibungszahl", "Stoßzahl", "Reibungskoeffizient", "Reibbeiwert", "Richtung",
+    "Betrag", "Größe", "Wert", "an", "Körper", "Bauteil", "Punkt", "zwischen",
 ))  # fmt: skip
 # Fields for the ends of what leads from one thing to another: coordinates there are those of a point of the ground.
 ENDS = ("first", "second", "between", "through", "center", "start", "to", "path")

@@ -15,6 +15,7 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter
 from freebody.model.names import Names
+from freebody.questions.arithmetic import is_vector
 from freebody.questions.base import NAME
 from freebody.questions.compared import compared
 from freebody.questions.event import read_event
@@ -216,6 +217,9 @@ def _range(
     if asked is not None and asked.quantity.scope == "instant" and whole.endswith(f" until {condition}"):
         left, timed = f"{'greatest' if sign in ('<', '<=') else 'least'} ({left})", f" until {condition}"
         asked = read(names, left + timed, when)  # what is so until an event is so all the way to it
+    if asked is not None and is_vector(asked.quantity, space=names.space):  # less than a value is its size
+        left = f"size of {left}"
+        asked = replace(asked, quantity=asked.quantity.sized(space=names.space))
     if asked is None:
         return None
     target = compared(names, right, asked.quantity.dimension, "find") if right not in ("0", "zero") else ZERO

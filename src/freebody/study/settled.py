@@ -19,7 +19,8 @@ def settled(system: System, *, forces: bool = True) -> System:
     if not system.bounds and not system.dry_friction:
         return system
     mode = start_mode(system)
-    sliding = [name for name, state in mode.dry_friction if state != 0]
+    connections = {f.row.name: f.row.connection for f in system.dry_friction}
+    sliding = dict.fromkeys(connections[name] for name, state in mode.dry_friction if state != 0)
     if sliding and forces:
         raise CannotAnswer(
             Message(

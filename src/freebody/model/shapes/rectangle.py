@@ -35,6 +35,7 @@ class Rectangle(Shape, kind="rectangle"):
 
     called: ClassVar[tuple[str, ...]] = ("block", "box", "crate", "plate", "plank", "cart", "car", "domino")
     also: ClassVar[tuple[str, ...]] = (
+        "Rechteck",
         "block",
         "box",
         "crate",

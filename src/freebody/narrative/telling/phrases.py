@@ -44,11 +44,14 @@ GENERAL = ""
 TABLE = "phrase"  # of a file of words
 MESSAGES = "message"
 REACTION = "reaction"  # a table that names what a row transmits
+KIND = "kind"  # a table of kinds of connections, by their names
+ROW = "row"  # a table of rows of connections, where they stand as a name
 POINT = "place"  # a table of points of bodies
 _CASES = ("nominative", "accusative", "at")  # tables of the same with their article, for where they are told in parts
 PLACE = re.compile(r"\{(\w+)(?::(\w+))?\}")
 _ANYTHING = r".+?"
-_OWN = {"name": r"[^\s,;:()=]+", "most": r".+"}  # what places of these kinds take
+# what places of these kinds take; a connection is a name without the points in it
+_OWN = {"name": r"[^\s,;:()=]+", "connection": r"\w+", "most": r".+"}
 _GREEK = "|".join(sorted(GREEK.values(), key=len, reverse=True))
 _SYMBOL = re.compile(rf"(?:{_GREEK})(?:_?\d+|_\w+)?|[A-Za-z](?:\d+|_\w+)")
 _POINT = re.compile(r"[A-Za-z_]\w*\.\w+")
@@ -135,7 +138,8 @@ class Phrases:
         if not isinstance(text, Message) and _SYMBOL.fullmatch(text):
             return [Shown(text, Symbol(text))]
         if not isinstance(text, Message):
-            return [self.said(text, kind) or (self.said(text, POINT) if _POINT.fullmatch(text) else None) or text]
+            point = self.said(text, POINT) if _POINT.fullmatch(text) else None
+            return [self.said(text, kind) or point or self._rows(text, measures=kind == GENERAL)]
         own = self._template(text, kind)
         found: list[str] = []
         for literal, name, form, _conversion in Formatter().parse(own):
@@ -193,8 +197,10 @@ class Phrases:
     def _inside(self, inside: str, kind: str) -> str:
         """What is said in a place."""
         match kind:
-            case "" | "name" | "most":
+            case "most" | "connection":
                 return inside
+            case "" | "name":
+                return self._rows(inside, measures=True)
             case _ if kind in _CASES:  # a point is said where it is told in parts, else it stays as it is written
                 return inside
             case "words":
@@ -203,6 +209,11 @@ class Phrases:
                 return self.said(inside) or self._listed(inside) or inside
             case _:
                 return self.said(inside, kind) or inside
+
+    def _rows(self, text: str, *, measures: bool) -> str:
+        """Names, among them those of rows and of measures: wall.slip of ladder.end on wall, x of ball."""
+        each = text.split(", ")
+        return ", ".join(self.said(one, ROW) or (measures and " " in one and self.said(one)) or one for one in each)
 
     def _listed(self, text: str, *, strict: bool = False) -> str | None:
         """a, b and c, each looked up; strict: None unless all of them are found."""
@@ -265,6 +276,7 @@ def phrases_of(language: str) -> Phrases:
         found += _flat(tables.get(TABLE, {}), GENERAL)
         decimal = tables.get("report", {}).get("decimal", decimal)
         found += [TextPattern(key, text, REACTION) for key, text in tables.get(REACTION, {}).items()]
+        found += [TextPattern(key.replace(" ", "_"), text, KIND) for key, text in tables.get(KIND, {}).items()]
         for p in _flat(tables.get(MESSAGES, {}), GENERAL):
             messages.setdefault(p.kind, {})[p.english] = p.text
     return Phrases(tuple(found), messages, decimal, contracted)

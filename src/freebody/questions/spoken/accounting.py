@@ -258,6 +258,11 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     main = [*takewhile(lambda word: word != Word("mark", "so_that"), words)]
     if Word("ask", "heavy") in main:  # how heavy may it be, so that the force in the hitch is at most 3 kN
         return names.parameters[parameter].dimension in (MASS, FORCE)
+    placed = [given.ASKED_BY[word.what] for word in main if word.kind == "ask" and word.what in PLACED]
+    if placed and all(
+        word.kind != "quantity" for word in main
+    ):  # how high the water may stand, so that a force is small
+        return placed[0].has(names.parameters[parameter])
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True

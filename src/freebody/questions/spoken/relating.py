@@ -99,8 +99,11 @@ def _plain(other: str, one: str, language: str) -> str:
 
 def _one(names: Names, read: str) -> str:
     """A side that is one quantity; what is a vector by its size, with which one calculates."""
-    if not read or JOINT in read or NO_QUANTITY.match(read):
-        return ""
+    return "" if not read or JOINT in read or NO_QUANTITY.match(read) else as_number(names, read)
+
+
+def as_number(names: Names, read: str) -> str:
+    """A quantity in the words of the grammar; what is a vector by its size."""
     of_body = _OF_BODY.match(read)
     is_vector = _VECTOR.match(read) is not None or (of_body is not None and of_body["body"] in names.bodies)
     return f"size of {read}" if is_vector and " along " not in read else read

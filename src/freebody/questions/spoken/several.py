@@ -91,8 +91,9 @@ def of_rivals(elements: Elements, text: str) -> str:
     if sides := sides_of(elements, text):
         return f"{sides[0]} and {sides[1]}"
     for language in languages():
+        both = plain_names(paired(elements, text, language))  # which of the two is the first
         for pattern, written in rivals(language):
-            text = pattern.sub(written, text)
+            text = pattern.sub(written, both if pattern.match(both) else text)
     return text
 
 
@@ -338,7 +339,9 @@ def paired(elements: Elements, text: str, language: str) -> str:
     for pattern, written in pairs(language):
         if (found := pattern.search(text)) is not None:
             said = found["thing"].lower()
-            words = (said, f"{said}s", *translated(language).get(said, "").split("|"))  # which wire
+            one = re.sub(rf"{several(language, 'plural').pattern}$", "", said)
+            known = (translated(language).get(word, "").split("|") for word in (said, one))
+            words = (said, f"{said}s", *(word for some in known for word in some))  # which wire, which of the wires
             each = (_things(elements, word, language) for word in words)
             if things := next((two for two in each if len(two) == _PAIR), None):
                 told = written.format(*(f"{OPEN}{thing}{CLOSE}" for thing in things), **found.groupdict())

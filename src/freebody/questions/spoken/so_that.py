@@ -10,12 +10,14 @@ from freebody.questions.spoken import dimensions, given, joining, lookup, losing
 from freebody.questions.spoken.asking import quantities
 from freebody.questions.spoken.composing import SILENT, Groups
 from freebody.questions.spoken.lexicon import Word
+from freebody.questions.spoken.relating import as_number
 from freebody.questions.spoken.words import Clause
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _TAUT = ({"stay_taut"}, {"hold", "taut"}, {"hold", "stay_taut"}, {"taut"})  # stays so, or is said to be so
+_FACTOR = re.compile(r"\d+(?:\.\d+)?(?:/\d+)?")
 _POSES = {"horizontal": poses.level, "level": poses.level, "at the top": poses.uppermost, "top": poses.uppermost}
 
 
@@ -436,8 +438,19 @@ def _relation(names: Names, clause: Clause, whole: Callable[..., Groups]) -> Gro
             if isinstance(right, str):
                 yield [f"{text} is {right}" if timed and sign == "=" else f"{text} {sign} {right}{tail}"]
             else:
-                for other in quantities(names, right):
-                    yield [f"{text} {sign} {what}{tail}" for what in other]
+                one = as_number(names, text)  # of two vectors the sizes are compared
+                times, of = _multiple(left, right)
+                for other in quantities(names, of):
+                    yield [f"{one} {sign} {times}{as_number(names, what)}{tail}" for what in other]
+
+
+def _multiple(left: Clause, right: Clause) -> tuple[str, Clause]:
+    """The factor with which a quantity is taken, and its words: twice the force in A; twice that in A, as at left."""
+    times = right.words[0].what if right.words and right.words[0].kind == "value" else ""
+    of = Clause(right.words[1:] if _FACTOR.fullmatch(times) else right.words)
+    if of is not right and not of.has("quantity"):
+        of = Clause([*(word for word in left.words if word.kind in ("quantity", "part")), *of.words])
+    return f"{times}*" if _FACTOR.fullmatch(times) else "", of
 
 
 def _led_by_time(names: Names, words: list[Word]) -> list[Word]:

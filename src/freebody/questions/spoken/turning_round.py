@@ -377,6 +377,8 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     asked = [w.what for w in head.words if w.kind == "quantity" and w not in titles]  # the sag f needs no other word
     if asked == ["mass"] and head.has("ask", "high", "far") and head.has("verb"):  # how high the mass may fall
         asked = []
+    acts = head.has("verb", "exert", "act") and asked == ["force"]  # at which height the force must act
+    asked = asked_by if acts and asked_by else asked
     asked = asked or (asked_by if is_marked and not named else [])
     if head.has("ask", "up_to") and (not named or rest.has("verb", "stable")):
         end = end or "largest"
@@ -411,6 +413,9 @@ def _head(names: Names, head: Clause, rest: Clause, *, is_marked: bool = False) 
     loads = [name for name in others if name in names.loads or name in names.impulses]
     if head.has("ask", "where") and not named:  # where the man may stand
         found = given.placing(names, loads[0]) if len(loads) == 1 and loads == others and not asked else []
+        return (found, rest, end) if len(found) == 1 else None
+    if asked == ["height"] and not named and len(loads) == 1 and loads == others:  # how high the water may stand
+        found = given.placing(names, loads[0])
         return (found, rest, end) if len(found) == 1 else None
     kind = asked[0].replace("driving ", "") if len(asked) == 1 else ""
     if not asked and len(loads) == 1:  # what motor torque

@@ -215,7 +215,7 @@ class RateBalance:
         if q.along is not None and self._turns(q.along):
             whole = replace(q, along=None).value(self.system, self.state)
             extra.append((Message("H·de/dt, since the direction turns"), dot(whole, self._rates(e))))
-            statement += ", and H·de/dt along the turning direction"
+            statement = Message("{law}, and H·de/dt along the turning direction", law=statement)
         return RatePrinciple(statement, (*_merged(parts, self.field.zero), *extra))
 
     @property

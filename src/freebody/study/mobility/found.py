@@ -213,7 +213,7 @@ class Mobility(Result):
         if self.reachable is not None:
             yield entry(Message("velocities"), self._reachable())
         if self.independent_coordinates:
-            yield entry(Message("coordinates"), ", ".join(self.independent_coordinates))
+            yield entry(Message("coordinates"), Message("{names}", names=", ".join(self.independent_coordinates)))
         yield from notes(self.notes)
 
     def _reachable(self) -> str:

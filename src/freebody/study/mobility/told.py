@@ -49,7 +49,7 @@ def count_section(g: Gruebler) -> Section:
         elif c.is_nonholonomic:
             between = Message("{between} (velocities)", between=between)
         held = Message("1 constraint") if c.n == 1 else Message("{n} constraints", n=c.n)
-        rows.append((c.connection, c.kind, held, between))
+        rows.append((c.connection, Message("{kind}", kind=c.kind), held, between))
     blocks += table(rows)
     if len(g.connections) > _MOST:
         blocks.append(line(Message("... and {n} more", n=len(g.connections) - _MOST)))
@@ -97,7 +97,7 @@ def motion_sections(motions: Motions) -> Iterator[Section]:
             value = _value(given.value, given.measure)
             title = Message("Assembly modes at {name} = {value}", name=given.name, value=value)
         this, *others = (mode.name for mode in motions.modes)
-        names = Message("{mode} (this one)", mode=this), *others
+        names = Message("{mode} (this one)", mode=this), *(Message("{mode}", mode=other) for other in others)
         choice = Message("choose one in the file with  {entry}", entry="start: {mode: NAME}")
         yield Section((title,), tuple(map(line, (*names, choice))))
 

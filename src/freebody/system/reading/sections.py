@@ -56,7 +56,7 @@ MEANT_SECTIONS: Mapping[str, str] = {
 CALLED_LINES = ("floor", "wall", "slope", "incline", "ramp", "table", "road", "ceiling")
 OF_LINES = ("through", "along", "angle", "solid", "x", "y")  # the fields of a line
 ROUGH = (  # of what touches
-    *("friction", "mu", "Reibung", "Reibungszahl", *FRICTION, *AT_REST, *IN_MOTION),
+    *("friction", "mu", "Reibung", "Reibungszahl", "Reibbeiwert", *FRICTION, *AT_REST, *IN_MOTION),
     *("restitution", "e", *RESTITUTION),
 )
 LIES_ON = ("on", "lies_on", "rests_on")  # of a body, in itself, how it is held

@@ -20,7 +20,8 @@ from freebody.system.reading.written.form import JOINED, Entry, Written, keys_be
 
 _NAMED_INSIDE = ("points", "lines", "planes", "at", "near", "measures")  # what holds names
 _FEWEST = 3  # letters of a word
-_OTHER_WORDS = {"typ": "type", "art": "type"}
+_OTHER_WORDS = {"typ": "type", "art": "type", "auf": "on", "bei": "at", "ueber": "over", "unter": "under"}
+_OF_SECTION = {"bodies": {"koerper": "body"}}  # which is a field elsewhere
 _JOINT = "_joint"
 _WORLD = "world"
 _FACE, _SLOPES = "face", ("slope", "incline", "hypotenuse", "inclined_face")
@@ -133,7 +134,8 @@ def _vocabulary(section: str, *, space: bool) -> dict[str, str]:
     )
     beside = keys_beside(section, space=space)
     words = [word for each in at for word in _words(each)]
-    return _by_folded((*words, *fields, *MEANT, *AT_REST, *IN_MOTION, *beside, *SAYS_KIND, CLOSES)) | _OTHER_WORDS
+    known = _by_folded((*words, *fields, *MEANT, *AT_REST, *IN_MOTION, *beside, *SAYS_KIND, CLOSES))
+    return known | _OTHER_WORDS | _OF_SECTION.get(section, {})
 
 
 def _words(section: str) -> list[str]:
