@@ -320,3 +320,34 @@ def test_just_beside_a_stop_is_beside_its_impact(said: str, meant: str) -> None:
     """What is so when x = d is so just before the wall strikes back."""
     [question] = fb.System.from_text(AGAINST_A_WALL).asked_with(said)[1]
     assert question.understood.replace(" of wall", "") == meant
+
+
+JERKED = """
+parameters: {m: 8 kg, M: 5 kg, h: 0.6 m, mu: 0.5, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}}
+bodies: {crate: {particle: {mass: m}, at: [0, 0]}, weight: {particle: {mass: M}, at: [2 m, 0]}}
+connections:
+  table: {contact: {between: [crate, table], friction: mu}}
+  shaft: {slider: {body: weight, along: down}}
+  rope: {stop: {measure: y - x, max: h}}
+loads: {gravity: {gravity: g}}
+measures: {y: drop of weight, x: x of crate}
+start: {x: 0, rate(x): 0, y: 0, rate(y): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("energy lost when the rope becomes taut", "m*M*g*h/(m + M)"),
+        ("energy lost when rope is reached / kinetic energy before the impact", "m/(m + M)"),
+        ("ratio of energy lost when rope becomes taut to kinetic energy before the impact", "m/(m + M)"),
+    ],
+)
+def test_what_is_lost_when_something_strikes_is_lost_in_the_impact(question: str, formula: str) -> None:
+    """M sqrt(2 g h) = (m + M) v: the share m/(m + M) of M g h is lost; until then nothing is."""
+    assert is_formula(JERKED, question, formula)
+
+
+def test_what_is_lost_until_something_strikes_is_lost_on_the_way() -> None:
+    assert posed(JERKED, "energy lost until the rope becomes taut").value == 0.0
