@@ -158,6 +158,8 @@ loads:
     [
         ("value of c for which the bending moment at x = L/2 is zero", "q*L^2/(4*F)"),  # q L^2/8 = F c/2
         ("Für welches c ist das Biegemoment bei x = L/2 null?", "q*L^2/(4*F)"),
+        ("largest q so that the bending moment at x = L/2 stays below 12 kN m", "(96000 + 4*F*c)/L^2"),
+        ("bending moment of beam at L/2 from beam.start / bending moment of beam at B", "1/2 - q*L^2/(8*F*c)"),
         ("For which F is the shear force 2 m from the left end 1 kN?", "L*(q*L/2 - 2*q - 1000)/c"),  # V = A - q x
     ],
 )
