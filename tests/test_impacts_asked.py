@@ -342,3 +342,34 @@ def test_a_coefficient_of_restitution_that_is_zero_is_one_case_of_two() -> None:
         assert [case.conditions[-1] for case in answer.cases] == ["e = 0", "e > 0"]
     found = posed(DROPPED, "range of e for which energy lost in the impact > 10 J")
     assert found.value == pytest.approx((0.0, math.sqrt(1 - 10 / (6 * 9.81 * 4 / 7))))
+
+
+JERKED = """
+parameters: {m: 8 kg, M: 5 kg, h: 0.6 m, mu: 0.5, g: 9.81 m/s^2}
+ground: {lines: {table: {along: right}}}
+bodies: {crate: {particle: {mass: m}, at: [0, 0]}, weight: {particle: {mass: M}, at: [2 m, 0]}}
+connections:
+  table: {contact: {between: [crate, table], friction: mu}}
+  shaft: {slider: {body: weight, along: down}}
+  rope: {stop: {measure: y - x, max: h}}
+loads: {gravity: {gravity: g}}
+measures: {y: drop of weight, x: x of crate}
+start: {x: 0, rate(x): 0, y: 0, rate(y): 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("energy lost when the rope becomes taut", "m*M*g*h/(m + M)"),
+        ("energy lost when rope is reached / kinetic energy before the impact", "m/(m + M)"),
+        ("ratio of energy lost when rope becomes taut to kinetic energy before the impact", "m/(m + M)"),
+    ],
+)
+def test_what_is_lost_when_something_strikes_is_lost_in_the_impact(question: str, formula: str) -> None:
+    """M sqrt(2 g h) = (m + M) v: the share m/(m + M) of M g h is lost; until then nothing is."""
+    assert is_formula(JERKED, question, formula)
+
+
+def test_what_is_lost_until_something_strikes_is_lost_on_the_way() -> None:
+    assert posed(JERKED, "energy lost until the rope becomes taut").value == 0.0

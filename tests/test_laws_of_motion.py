@@ -33,6 +33,14 @@ loads: {{drag: {{force: {{at: boat, along: right, magnitude: {drag}}}}}}}
 measures: {{x: x of boat}}
 start: {{x: 0, rate(x): v0}}
 """
+DRIVEN_BOAT = """
+parameters: {m: 400 kg, k: 50 kg/m, F: 800 N, v0: 2 m/s, v1: 3 m/s}
+bodies: {boat: {particle: {mass: m}}}
+connections: {water: {slider: {body: boat, along: right}}}
+loads: {screw: {force: {at: boat, along: right, magnitude: F}}, drag: {drag: {body: boat, quadratic: k}}}
+measures: {x: x of boat}
+start: {x: 0, rate(x): v0}
+"""
 BOAT_1, BOAT_2 = BOAT.format(drag="-c*rate(x)"), BOAT.format(drag="-k*rate(x)^2")
 CART = """
 parameters: {{m: 2 kg, k: 50 N/m, c: {c}, x0: 0.2 m, v0: 1 m/s, T: 0.3 s}}
@@ -353,3 +361,9 @@ def test_the_law_is_told(name: str) -> None:
     told = is_derived(*TOLD[name])
     for language, ends in (("en", ("Result", "Checks")), ("de", ("Ergebnis", "Kontrolle"))):
         assert any(f"▸ {end}" in told[language] for end in ends)
+
+
+def test_a_speed_in_a_drag_that_is_pulled_against_is_reached_in_time() -> None:
+    """m v' = F - k v^2: t = m/(k v_t) (artanh(v_1/v_t) - artanh(v_0/v_t)), v_t^2 = F/k."""
+    t = "m/sqrt(k*F)/2*log((sqrt(F) + sqrt(k)*v1)*(sqrt(F) - sqrt(k)*v0)/(sqrt(F) - sqrt(k)*v1)/(sqrt(F) + sqrt(k)*v0))"
+    assert is_formula(DRIVEN_BOAT, "time when speed of boat = v1", t)

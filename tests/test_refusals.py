@@ -364,3 +364,14 @@ def test_a_place_at_which_a_loop_cannot_be_closed_is_refused_in_words() -> None:
     assert answer.expression is None
     assert answer.value is None
     assert answer.reason
+
+
+def test_after_it_has_happened_is_no_time() -> None:
+    """`after T is` a time T where an equation goes on; `it` is none."""
+    system = fb.System.from_text(
+        "parameters: {L: 1 m}\nbodies: {rod: {rod: {mass: 1 kg, length: L}}}\n"
+        "connections: {hinge: {pin: [ground.A, rod.start]}}\nmeasures: {phi: angle of rod}\n"
+    )
+    with pytest.raises(fb.InputError) as refused:
+        system.solve("How must L be chosen so that the rod turns fastest after it is caught?")
+    assert "Python" not in str(refused.value)

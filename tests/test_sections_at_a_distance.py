@@ -140,3 +140,28 @@ def test_sections_at_a_distance_of_what_falls(said: str, value: float) -> None:
     found = answer(said, CHIMNEY)
     assert found.expression is not None
     assert found.value == pytest.approx(value, rel=1e-9)
+
+
+OVERHANG = """
+parameters: {L: 6 m, c: 2 m, q: 3 kN/m, F: 4 kN}
+ground: {points: {A: [0, 0], B: [L, 0]}}
+bodies: {beam: {rod: {length: L + c}, at: {start: [0, 0]}, angle: 0, points: {B: [L - (L + c)/2, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.B, through: ground.B, along: right}}}
+loads:
+  snow: {distributed: {between: [beam.start, beam.B], along: down, intensity: q}}
+  tip: {force: {at: beam.end, along: down, magnitude: F}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "formula"),
+    [
+        ("value of c for which the bending moment at x = L/2 is zero", "q*L^2/(4*F)"),  # q L^2/8 = F c/2
+        ("Für welches c ist das Biegemoment bei x = L/2 null?", "q*L^2/(4*F)"),
+        ("largest q so that the bending moment at x = L/2 stays below 12 kN m", "(96000 + 4*F*c)/L^2"),
+        ("bending moment of beam at L/2 from beam.start / bending moment of beam at B", "1/2 - q*L^2/(8*F*c)"),
+        ("For which F is the shear force 2 m from the left end 1 kN?", "L*(q*L/2 - 2*q - 1000)/c"),  # V = A - q x
+    ],
+)
+def test_a_section_at_a_distance_is_asked_the_other_way_round(said: str, formula: str) -> None:
+    assert is_formula(OVERHANG, said, formula, factors=(1.0,))

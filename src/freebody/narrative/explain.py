@@ -30,6 +30,7 @@ from freebody.progress import busy_with
 from freebody.questions.event import Anywhere, OfQuantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.nothing_moves import of_what_stays
 from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solution import Solution
 from freebody.study.answering.solve import solve
@@ -162,6 +163,7 @@ def _derived(
     if isinstance(question.event, Anywhere) and answer.value is not None:  # the formula is the same at every instant
         question = replace(question, event=None)
     told_of, question = question, _at_its_turn(context, of_motion(context.system, question))
+    question = of_what_stays(context.setup, question)
     derive = derivation_of(context.system, question)
     here = context.of_question(question) if answer.is_answered else context
     here.own = None

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
@@ -11,7 +12,7 @@ from freebody.measures.combination import Composed, is_of_turning
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
 from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
-from freebody.questions.course import connections_of
+from freebody.questions.course import connections_of, read_transition
 from freebody.questions.energy import Energy
 from freebody.questions.reactions import Wrench, read_moment, read_wrench
 from freebody.questions.vectors import IN_BASIS
@@ -20,6 +21,9 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 _RANK = 60
+_LOST_WHEN = re.compile(
+    r"\b(?P<lost>energy lost|loss of (?:kinetic )?energy) (?:when|as) (?P<event>[^()=/*+]+?)(?=\s*(?:[)/*+]|to\b|$))"
+)
 
 
 @dataclass(frozen=True)
@@ -205,3 +209,19 @@ def _lost(names: Names, found: Found, path: Path) -> Quantity | None:
         return EnergyLostInBlow()
     of = (str(blow),) if blow in names.impulses else connections_of(names, str(blow), path)
     return EnergyLostInBlow(of, str(blow))
+
+
+def lost_where_it_strikes(names: Names, phrase: str) -> str:
+    """`energy lost when the rope becomes taut` as `energy lost in the impact of rope`: what is lost when something is
+    struck is lost in the impact, and not on the way there."""
+
+    def in_the_impact(found: re.Match[str]) -> str:
+        with names.quietly():
+            strikes = read_transition(names, found["event"], ("find",))
+        if strikes is None or strikes.kind != "touches" or strikes.count > 1 or len(strikes.of) > 1:
+            return found[0]
+        if names.struck_at_start.issuperset(strikes.of):
+            return f"{found['lost']} in the blow"
+        return f"{found['lost']} in the impact of {strikes.of[0]}"
+
+    return _LOST_WHEN.sub(in_the_impact, phrase)

@@ -12,7 +12,7 @@ from freebody.language.sentences import Message
 ENDLESS = "t grows"
 TIME_SINCE = "t"  # the start
 _NUMBER = r"\d[\w.]*(?: ?(?:s|ms|min|h|seconds?|minutes?|hours?))?"
-_TIME = rf"(?P<time>{_NUMBER}|[A-Za-z_]\w*)"
+_TIME = rf"(?P<time>{_NUMBER}|(?!(?:it|this|that)\b)[A-Za-z_]\w*)"  # after it is caught: no time
 # a time behind `after` stands at the end, or before what an equation goes on with
 _END = r"(?=$|\s*(?:=|\)|[-+*/^|])|\s+(?:is|equals|when|at)\b)"
 _WORDS: tuple[tuple[re.Pattern[str], str], ...] = (

@@ -21,7 +21,7 @@ from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, is_vector, read_calculated
 from freebody.questions.at_events import between_events, is_at_several, read_at_events
 from freebody.questions.base import FORMS, Path, Quantity
-from freebody.questions.blow import BesideBlow
+from freebody.questions.blow import BesideBlow, lost_where_it_strikes
 from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, When
 from freebody.questions.event_base import QuestionEvent
@@ -132,7 +132,7 @@ def read_phrase(names: Names, phrase: str, when: object) -> Meant | None:
 
 def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     """What a phrase asks for. when: what the file says of it beside the phrase."""
-    phrase = swings_as_rests(names, phrase)
+    phrase = lost_where_it_strikes(names, swings_as_rests(names, phrase))
     if (nth := read_nth(names, phrase, lambda words: _asked(names, words, when))) is not None:
         return nth
     extreme = EXTREME_FOR.match(phrase)

@@ -29,9 +29,11 @@ _PLAIN = re.compile(r"\d+(?:\.\d+)?(?:[eE]\d+)?|[A-Za-z_]\w*")
 TURNS_BACK = re.compile(r"^(?P<what>.+?) (?:turns (?:back|round|around)|reverses)$")  # an event
 _RATIO = re.compile(r"^(?:the )?ratio of (?P<top>.+) to (?:the )?(?P<bottom>.+)$")
 
-# what belongs to a quantity stands before what is an operator: greatest |acceleration of x|, rate(x), [1, 0]
+# what belongs to a quantity stands before what is an operator: greatest |acceleration of x|, rate(x), [1, 0], and the
+# place of a section, at L/2 from beam.start
 _OPERATORS = re.compile(
-    rf"(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?\|[^|]*\||rate\(\s*\w+\s*\)|\[[^\]]*\]|\*\*|[-+*/^()|]"
+    rf"(?:{GREATEST}|{LEAST}) (?:value )?(?:of )?(?:the )?\|[^|]*\||rate\(\s*\w+\s*\)|\[[^\]]*\]"
+    r"|\bat (?:(?! at | of )[^|=])+? from (?:the )?(?:\w+\.)?(?:start|end)\b|\*\*|[-+*/^()|]"
 )
 _END = re.compile(rf"(?:the )?(?:{GREATEST}|{LEAST}) ")
 _OF_BLOW = re.compile(r"\b(?:energy lost|loss of (?:kinetic )?energy) in\b|\bimpuls(?:e|ive reaction)\b")

@@ -103,6 +103,9 @@ def _root_of_a_quotient(x: Ratio) -> Expr | None:
         return None
     _unit, factors = field.factor(x.num)
     roots = [base for base, e in factors if e == 1 and len(base.generators()) == 1 and is_root_generator(field, base)]
+    roots = [
+        base for base in roots if not base.generators() & x.denominator().generators()
+    ]  # which would bring it back
     radicands = [field.radicand(field.index(root)) for root in roots]
     if not roots or sum(strict_sign(r) != 1 for r in radicands) > 1:  # sqrt(a) sqrt(b) is sqrt(a b) where a is positive
         return None

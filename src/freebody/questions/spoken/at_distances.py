@@ -25,9 +25,10 @@ from freebody.questions.spoken.of_sections import to_the_right
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
-_AT_A_POINT = re.compile(
-    r"(?P<what>(?:axial|shear) force|bending moment)(?: of (?P<rod>\w+))? (?:at|just before|just behind) "
-    r"(?:(?P<owner>\w+)\.)?(?P<point>\w+)(?P<tail> (?:when|as|in) .+)?"
+_AT_A_POINT = re.compile(  # also within what is turned round: value of a for which bending moment at C = 0
+    r"(?P<lead>.+ (?:for which|so that) \|?(?:the )?)?(?P<what>(?:axial|shear) force|bending moment)"
+    r"(?: of (?P<rod>\w+))? (?:at|just before|just behind) (?:(?P<owner>\w+)\.)?(?P<point>\w+)"
+    r"(?P<tail>\|?(?: (?:when|as|in|is|stays|does|never|[<>]=?|=) .+)?)"
 )
 _SIDES = ("left", "right", "start", "end")
 
@@ -90,7 +91,8 @@ def _put(names: Names, asked: re.Match[str], length: str, end: str, way: str, si
     before = {1: "just behind", -1: "just before"}.get(from_left * _sense(side), "") if side else "at"
     length = f"({length})" if "/" in length else length  # no quotient of quantities
     place = _counted_from(rod, length, end or asked["point"], from_left, way)
-    return f"{asked['what']} of {rod.name} {before} {place}{asked['tail'] or ''}" if before and place else ""
+    lead, tail = asked["lead"] or "", asked["tail"]
+    return f"{lead}{asked['what']} of {rod.name} {before} {place}{tail}" if before and place else ""
 
 
 def _counted_from(rod: RigidBody, length: str, origin: str, from_left: int, way: str) -> str:

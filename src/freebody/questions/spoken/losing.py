@@ -118,13 +118,10 @@ def in_balance(names: Names, of: str) -> list[str]:
 
 
 def fastest_at(names: Names, of: str) -> list[str]:
-    """Where the only body that moves is fastest: where it passes its equilibrium, for what it has of kinetic energy has
-    come from there."""
-    free = not (damped(names) or rubbing.rubs(names) or lookup.is_forced(names) or lookup.is_controlled(names))
-    free = free and not joining.strikes(names)
-    measures = list(names.measures)
-    swings = len(measures) == 1 and lookup.is_all_that_moves(names, of or next(iter(lookup.moving(names)), ""))
-    return [f"equilibrium of {name}" for name in measures if free and swings and lookup.swings(names)]
+    """Where the only body that moves is fastest, by the one measure that says where it is."""
+    body = of or next(iter(lookup.moving(names)), "")
+    one = len(names.measures) == 1 and lookup.is_all_that_moves(names, body)
+    return [f"{name} when speed of {body} is greatest" for name in names.measures if one]
 
 
 def separated(names: Names, _body: str = "") -> list[str]:

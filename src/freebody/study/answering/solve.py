@@ -27,6 +27,7 @@ from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.functions import as_function
+from freebody.study.answering.nothing_moves import of_what_stays
 from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.other_turns import with_other_turns
 from freebody.study.answering.parts import part_for
@@ -224,6 +225,7 @@ def _with_parameters(system: System, questions: Sequence[Question]) -> Solution:
 
 def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
     """Where no contact or friction changes the law of motion."""
+    question = of_what_stays(setup, question)
     if _is_of_happening(question):
         return _of_happening(setup.system, question)
     if question.quantity.scope == "rest":
