@@ -78,6 +78,7 @@ _MAY = Word("filler", "may")
 _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
+_OF_GROUND = re.compile(r"(?:angle|(?:angular )?(?:velocity|acceleration)|speed) of ground(?= |$)")  # which rests
 _TWO = 2
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
@@ -94,6 +95,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):
         return False  # what stands still is nowhere else when a force is least: another angle is meant
+    if _OF_GROUND.match(text):
+        return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(

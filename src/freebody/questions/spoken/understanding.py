@@ -35,6 +35,7 @@ from freebody.questions.spoken.leaving_out import holds_without_which
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
+from freebody.questions.spoken.recasting import recast
 from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import (
     asks_again,
@@ -170,6 +171,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
+    if not nearest and (put_otherwise := _recast(names, text, read)):
+        return put_otherwise
     of_train = bool(joining.toothed(names)) and is_specific(told)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
@@ -239,6 +242,12 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         if not names.lacks_elements:  # else it may be about what could not be read
             names.unknown(text, none, "find")
     return []
+
+
+def _recast(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for in the first plainer construction that is understood."""
+    with names.quietly():
+        return next((found for said in recast(text) if (found := understood(names, said, read))), [])
 
 
 def _related(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
