@@ -391,7 +391,8 @@ def _of_first(names: Names, elements: Elements, texts: Sequence[str], first: str
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
     timed = [one for one in asked if one.event is not None or one.transition is not None]
-    if any(one.at_start and one.quantity.scope == "whole motion" for one in asked):
+    is_end = words.startswith(("greatest ", "least ")) and " when " in words
+    if any((one.at_start or is_end) and one.quantity.scope == "whole motion" for one in asked):
         return False  # what is greatest over the motion is so at no instant
     lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
     return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ", "mass of ")))
