@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
+from freebody.language.units import LENGTH
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import along_lines, driving, given, joining, lookup, rubbing
@@ -95,7 +96,7 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):
         return False  # what stands still is nowhere else when a force is least: another angle is meant
-    if _OF_GROUND.match(text):
+    if _OF_GROUND.match(text) or _is_no_place(names, words, text):
         return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
@@ -131,6 +132,16 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def _is_no_place(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a parameter is sought that tells no place, where one is asked for: where F has to act is no force."""
+    chosen = TURNED_ROUND.match(text)
+    first = next((word for word in words if word.kind != "filler"), None)
+    if chosen is None or first != Word("ask", "where") or chosen["parameter"] not in names.parameters:
+        return False
+    parameter = names.parameters[chosen["parameter"]]
+    return parameter.dimension != LENGTH and not parameter.is_angle
 
 
 def moves_nowhere(names: Names) -> bool:

@@ -99,11 +99,13 @@ _OF_EVERY_TURN = ("repeated motion", "small motion", "structure")
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
 
 
-def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+def understood(
+    names: Names, text: str, read: Callable[[str], AskedT | None], *, as_put: bool = False
+) -> list[tuple[AskedT, str]]:
     """What a text asks for, and the words of the grammar in which it does; several where it asks for several things.
 
     read: what words of the grammar ask for, None after noting a problem. What it does not read is taken as people
-    speak; what can be meant in several ways is refused with all of them."""
+    speak; what can be meant in several ways is refused with all of them. as_put: not in plainer constructions."""
     n_before = len(names.problems)
     if names.is_undeclared_in(text):
         return []
@@ -171,7 +173,7 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
-    if not nearest and (put_otherwise := _recast(names, text, read)):
+    if not nearest and not as_put and (put_otherwise := _recast(names, text, read)):
         return put_otherwise
     of_train = bool(joining.toothed(names)) and is_specific(told)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
@@ -247,7 +249,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
 def _recast(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What a text asks for in the first plainer construction that is understood."""
     with names.quietly():
-        return next((found for said in recast(text) if (found := understood(names, said, read))), [])
+        each = (understood(names, said, read, as_put=True) for said in recast(text))
+        return next((found for found in each if found), [])
 
 
 def _related(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
