@@ -388,6 +388,11 @@ def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     return len(names.bodies[GROUND].lines) + len(names.bodies[GROUND].planes) <= 1
 
 
+def may_change(names: Names) -> bool:
+    """Whether a force may be another one at another time: something can move."""
+    return n_freedoms(names) > 0 and not rubbing.is_still(names)
+
+
 def n_freedoms(names: Names) -> int:
     """The degrees of freedom, where no constraint follows from others: what touches a side with several points of its
     own can neither leave it nor turn."""

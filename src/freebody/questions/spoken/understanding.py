@@ -29,6 +29,7 @@ from freebody.questions.spoken.keeping import (
     loses_mass_center,
     loses_other,
     loses_sign,
+    may_change,
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.leaving_out import holds_without_which
@@ -322,6 +323,9 @@ def _compared(
         each = [words for _asked, words in both] if len(both) == len(sides) else each
     if len(each) < len(sides):
         return []
+    is_timed = _OF_EVENTS.search(each[0]) is not None or each[0].endswith(" at start")
+    if _VALUE.fullmatch(each[1]) and not is_timed and may_change(names):
+        return []  # it is more at one time, and less at another one
     same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
     first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
     at_events = [f"({each[0]}) - ({each[1]})"] if _OF_EVENTS.search(" ".join(each)) else []
