@@ -1134,3 +1134,11 @@ def test_what_has_strange_words_is_not_read_in_every_part() -> None:
 def test_when_there_is_an_equilibrium_its_conditions_tell() -> None:
     with pytest.raises(ModelError, match="ask for the equilibrium of theta: the conditions"):
         fb.System.load(EXAMPLES / "simple_pendulum.yaml").asked("when is there an equilibrium?")
+
+
+def test_a_force_is_compared_with_a_value() -> None:
+    """At the pinned end of a beam that stands out by b beyond its other support: q a/2 - P b/a."""
+    system = fb.System.load(EXAMPLES / "beam_with_overhang.yaml")
+    q, P, a, b = (system.parameters[name].value for name in ("q", "P", "a", "b"))
+    [answer] = fb.solve(system, question="Is the reaction at A larger than 1 kN?").answers
+    assert answer.value == pytest.approx(abs(q * a / 2 - P * b / a) - 1000)

@@ -24,6 +24,7 @@ from freebody.questions.arithmetic import (
 from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
 from freebody.questions.grammar import read_calculation, read_quantity
 from freebody.questions.loads import LoadForce, Power
+from freebody.questions.operands import number_with_unit
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -173,7 +174,9 @@ def _advantage(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 def _side(names: Names, text: str, path: Path) -> Quantity | None:
-    """A quantity, what is calculated from several, or an expression in the parameters."""
+    """A quantity, what is calculated from several, a value, or an expression in the parameters."""
+    if number_with_unit(text) is not None:
+        return read_calculated(names, text, {}, path, [text])
     try:
         is_of_parameters = free_symbols(parse(text)) <= names.parameters.keys() | {"pi"}
     except ExpressionError:

@@ -253,6 +253,9 @@ def _quantity_is(names: Names, clause: Clause, value: str) -> Groups:
             is_turning = quantity.startswith("angular") or dimensions.is_turning_speed(value, names)
             kinds = lookup.angles if is_turning else lookup.places
             yield going_at(names, of, value, [of] if of else kinds(names, ""))
+            alone = lookup.moving(names)  # of the only body, where no measure is of its place
+            is_plain = not of and not is_turning and len(alone) == 1 and not names.bodies[alone[0]].turns
+            yield [f"speed of {alone[0]} = {value}"] if is_plain and not kinds(names, "") else []
         elif quantity == "tension" and is_zero:
             yield [f"{joint} goes slack" for joint in joining.joints(names, of, "", "tension")]
         elif quantity in ("normal force", "contact force") and is_zero:
@@ -441,6 +444,7 @@ def _turns_back(names: Names, who: str, other: str) -> Groups:
 def _returns(names: Names, who: str, other: str) -> Groups:
     if not other:
         yield [f"{way} = 0" for way in lookup.ways(names, who)]
+        yield [f"{place} = {to_python(start)}" for place, start in lookup.begun(names, who)]
 
 
 def _reaches(names: Names, who: str, other: str) -> Groups:

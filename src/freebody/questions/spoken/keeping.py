@@ -15,6 +15,7 @@ from itertools import pairwise
 from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
+from freebody.language.units import LENGTH
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.questions.spoken import along_lines, driving, given, joining, lookup, rubbing
@@ -78,6 +79,7 @@ _MAY = Word("filler", "may")
 _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
+_OF_GROUND = re.compile(r"(?:angle|(?:angular )?(?:velocity|acceleration)|speed) of ground(?= |$)")  # which rests
 _TWO = 2
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
@@ -94,6 +96,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):
         return False  # what stands still is nowhere else when a force is least: another angle is meant
+    if _OF_GROUND.match(text) or _is_no_place(names, words, text):
+        return False
     if dropped(words, text) or _OF_ITSELF.match(text) or not is_accounted_for(names, words, text):
         return False
     if (found := _STEADY.fullmatch(text)) and any(
@@ -128,6 +132,16 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
             if not is_said and (is_of_another or not _is_meant(names, thing, things, text)):
                 return False
     return all(number in numbers for number in told)
+
+
+def _is_no_place(names: Names, words: Sequence[Word], text: str) -> bool:
+    """Whether a parameter is sought that tells no place, where one is asked for: where F has to act is no force."""
+    chosen = TURNED_ROUND.match(text)
+    first = next((word for word in words if word.kind != "filler"), None)
+    if chosen is None or first != Word("ask", "where") or chosen["parameter"] not in names.parameters:
+        return False
+    parameter = names.parameters[chosen["parameter"]]
+    return parameter.dimension != LENGTH and not parameter.is_angle
 
 
 def moves_nowhere(names: Names) -> bool:
@@ -372,6 +386,11 @@ def _ground_stands(names: Names, thing: str, things: set[str]) -> bool:
     if held and "." in thing and not held & things and things & names.connections.keys():
         return False  # a force at a bearing is none between the teeth
     return len(names.bodies[GROUND].lines) + len(names.bodies[GROUND].planes) <= 1
+
+
+def may_change(names: Names) -> bool:
+    """Whether a force may be another one at another time: something can move."""
+    return n_freedoms(names) > 0 and not rubbing.is_still(names)
 
 
 def n_freedoms(names: Names) -> int:

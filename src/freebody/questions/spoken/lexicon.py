@@ -54,6 +54,7 @@ _NO_WORDS = (
     "comparatives",
     "relations",
     "restated",
+    "recast",
     "shares",
     "levels",
     "numerals",
@@ -487,9 +488,20 @@ def comparing(language: str, table: str, key: str, k: int | None = None) -> re.P
 @cache
 def restatements(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
     """Patterns for what is said otherwise than it is asked for elsewhere, and how it is asked for."""
-    told = cast("dict[str, Any]", _file(language).get("restated", {}))
+    return _rules(language, "restated")
+
+
+@cache
+def recastings(language: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """Patterns for constructions that are not understood as they stand, and plainer ones."""
+    return _rules(language, "recast")
+
+
+def _rules(language: str, table: str) -> tuple[tuple[re.Pattern[str], str], ...]:
+    """The rules of a table, with what its other entries stand for in them."""
+    told = cast("dict[str, Any]", _file(language).get(table, {}))
     n_rules = len(told.get("rules", ()))
-    return tuple((comparing(language, "restated", "rules", k), str(told["rules"][k][1])) for k in range(n_rules))
+    return tuple((comparing(language, table, "rules", k), str(told["rules"][k][1])) for k in range(n_rules))
 
 
 @cache

@@ -23,6 +23,7 @@ _LEVEL = 1e-9  # of a direction that is level, or straight up
 
 
 if TYPE_CHECKING:
+    from freebody.language.expression import Expr
     from freebody.measures.base import Measure
     from freebody.model.names import Names
 
@@ -105,6 +106,12 @@ def places(names: Names, body: str) -> list[str]:
     lengths = {name: measure for name, measure in names.measures.items() if measure.dimension != DIMENSIONLESS}
     ends = {name: (m.start.name, m.end.name) for name, m in lengths.items() if isinstance(m, Distance)}
     return [name for name, m in lengths.items() if not body or body in m.bodies() or body in ends.get(name, ())]
+
+
+def begun(names: Names, body: str) -> list[tuple[str, Expr]]:
+    """Measures of where a body is, or at which angle, with where the file lets them start."""
+    found = places(names, body) or angles(names, body)
+    return [(name, names.placed_at_start[name]) for name in found if name in names.placed_at_start]
 
 
 def went(names: Names, body: str) -> list[str]:

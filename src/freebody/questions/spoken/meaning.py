@@ -48,6 +48,8 @@ if TYPE_CHECKING:
 
 _MARKS = ("when", "until", "after", "while")
 _HOW_FAR = tuple(Word("ask", what) for what in ("large", "small", "heavy", "far", "high", "steep", "flat"))
+_HOW_LARGE = Word("ask", "large")
+_OF_CONTACTS = ("friction force", "normal force", "contact force", "reaction")
 _LEADS_ON = ("from", "about", "relative", "between", "along")  # prepositions behind which something stands
 _NOT, _ACCELERATE = Word("not", "not"), Word("verb", "accelerate")
 _STARTS, _AT_START, _FROM_REST = Word("verb", "start"), Word("instant", "at start"), Word("verb", "from_rest")
@@ -119,7 +121,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
         return
     yield from _rough_enough_to_roll(names, Clause(words))
     said = pushes.heaviest(names, said)
-    lasting = _as_long_as(said)
+    lasting = _as_long_as(said, modal)
     if modal == {"may"} and any(word in _HOW_FAR for word in said):  # how large may it be
         yield from limits(names, lasting, modal)
     if modal == {"may"}:  # from which height it may fall: a limit tells, which is mostly the greatest
@@ -204,9 +206,12 @@ def _asks_more(words: list[Word], k: int) -> bool:
     return begins and any(word.kind == "ask" for word in words[:k])
 
 
-def _as_long_as(words: list[Word]) -> list[Word]:
-    """As long as it does not slip is so that it does not: but while it slides says when."""
-    if _WHILE not in words:
+def _as_long_as(words: list[Word], modal: set[str]) -> list[Word]:
+    """As long as it does not slip is so that it does not: but while it slides says when, and so does what is asked of
+    a force that is as it is: how large is it while it rests."""
+    head = words[1:] if words[:1] == [_HOW_LARGE] else words
+    is_given = not modal and bool(head) and head[0].kind == "quantity" and head[0].what in _OF_CONTACTS
+    if _WHILE not in words or is_given:
         return words
     state = Clause(words[words.index(_WHILE) + 1 :])
     is_going = set(state.all("verb")) <= {*GOES_ON} - {"roll"} and state.has("verb") and not state.has("not")

@@ -8,6 +8,7 @@ from freebody.questions.spoken import (
     driving,
     joining,
     lookup,
+    rubbing,
 )
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.striking import without_striker
@@ -45,7 +46,8 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         passive = {"hold", "become"} <= set(clause.all("verb")) and not clause.has("value")
         if passive and not is_fixed and kept[begin].what == "when" and clause.names:
             return [*kept, Word("other", "held")]  # by a hand that the model has not: no instant of its motion
-        if is_empty or is_fixed or (clause.names and is_throughout(names, kept[begin].what, clause)):
+        rests = kept[begin].what == "while" and begin > 0 and _is_at_rest(names, words, clause)
+        if is_empty or is_fixed or rests or (clause.names and is_throughout(names, kept[begin].what, clause)):
             kept = [*kept[:begin], *kept[end + (begin == 0) :]]
     kept = without_striker(names, kept)
     begins = [k for k, word in enumerate(kept) if word == Word("instant", "at start")]
@@ -64,6 +66,14 @@ def without_course(names: Names, words: list[Word]) -> list[Word]:
         ):
             return [*kept[:let_go], *kept[let_go + 1 :]]
     return kept
+
+
+def _is_at_rest(names: Names, words: list[Word], clause: Clause) -> bool:
+    """Whether a clause says of what stands still that it does, where nothing is to be chosen so that it is so."""
+    chosen = any(w.kind == "degree" or w.what in ("may", "must", "for", *names.parameters) for w in words)
+    clause = clause.without("instant", "in equilibrium")
+    plain = clause.only("verb", "name", "pronoun") and clause.all("verb") in (["hold"], ["stop"])
+    return plain and not chosen and words[0].kind != "filler" and rubbing.is_still(names)
 
 
 def is_throughout(names: Names, mark: str, clause: Clause) -> bool:

@@ -29,12 +29,14 @@ from freebody.questions.spoken.keeping import (
     loses_mass_center,
     loses_other,
     loses_sign,
+    may_change,
 )
 from freebody.questions.spoken.kinds import is_of_kind
 from freebody.questions.spoken.leaving_out import holds_without_which
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
+from freebody.questions.spoken.recasting import recast
 from freebody.questions.spoken.relating import loses_share, related
 from freebody.questions.spoken.several import (
     asks_again,
@@ -98,11 +100,13 @@ _OF_EVERY_TURN = ("repeated motion", "small motion", "structure")
 _TIMELESS = ("whole motion", "repeated motion", "small motion", "every motion", "structure", "linkage")
 
 
-def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+def understood(
+    names: Names, text: str, read: Callable[[str], AskedT | None], *, as_put: bool = False
+) -> list[tuple[AskedT, str]]:
     """What a text asks for, and the words of the grammar in which it does; several where it asks for several things.
 
     read: what words of the grammar ask for, None after noting a problem. What it does not read is taken as people
-    speak; what can be meant in several ways is refused with all of them."""
+    speak; what can be meant in several ways is refused with all of them. as_put: not in plainer constructions."""
     n_before = len(names.problems)
     if names.is_undeclared_in(text):
         return []
@@ -170,6 +174,8 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
         return next([*zip(asked, words.split(JOINT), strict=True)] for words, asked in nearest.items())
     if not nearest and (passing := same_value(names, text)) is not None:
         return understood(names, passing, read)
+    if not nearest and not as_put and (put_otherwise := _recast(names, text, read)):
+        return put_otherwise
     of_train = bool(joining.toothed(names)) and is_specific(told)
     if not nearest and any(map(names.is_of_broken_kind, (text, *(p.message.replace("_", " ") for p in told)))):
         return []
@@ -241,6 +247,13 @@ def understood(names: Names, text: str, read: Callable[[str], AskedT | None]) ->
     return []
 
 
+def _recast(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
+    """What a text asks for in the first plainer construction that is understood."""
+    with names.quietly():
+        each = (understood(names, said, read, as_put=True) for said in recast(text))
+        return next((found for found in each if found), [])
+
+
 def _related(names: Names, text: str, read: Callable[[str], AskedT | None]) -> list[tuple[AskedT, str]]:
     """What compares two quantities, each asked for by itself."""
 
@@ -310,6 +323,9 @@ def _compared(
         each = [words for _asked, words in both] if len(both) == len(sides) else each
     if len(each) < len(sides):
         return []
+    is_timed = _OF_EVENTS.search(each[0]) is not None or each[0].endswith(" at start")
+    if _VALUE.fullmatch(each[1]) and not is_timed and may_change(names):
+        return []  # it is more at one time, and less at another one
     same = _AT_ONE.fullmatch(f"{each[0]}\n{each[1]}")  # the instant of both is said once
     first, second = (each[0].removesuffix(same["when"]), each[1]) if same is not None else each
     at_events = [f"({each[0]}) - ({each[1]})"] if _OF_EVENTS.search(" ".join(each)) else []
@@ -382,7 +398,8 @@ def _of_first(names: Names, elements: Elements, texts: Sequence[str], first: str
 def _have_instants(words: str, asked: Iterable[Asked]) -> bool:
     """Whether what is asked of an instant has a value there: a stroke, or a period, is that of a whole turn."""
     timed = [one for one in asked if one.event is not None or one.transition is not None]
-    if any(one.at_start and one.quantity.scope == "whole motion" for one in asked):
+    is_end = words.startswith(("greatest ", "least ")) and " when " in words
+    if any((one.at_start or is_end) and one.quantity.scope == "whole motion" for one in asked):
         return False  # what is greatest over the motion is so at no instant
     lasts = any(one.quantity.scope in _OF_EVERY_TURN for one in timed)
     return not timed or not (lasts or words.startswith(("stroke of ", "phase lag of ", "mass of ")))

@@ -92,9 +92,11 @@ def which_way(names: Names, sentence: Sentence) -> Groups:
         way = Word("quantity", "velocity")
         kept = Clause([way, *(w for w in main.words if w != Word("ask", "way") and w.what not in GOES_ON)])
         yield from timed(names, Sentence(kept, sentence.others))
-    plain = main.has("ask", "way") and main.only("ask", "verb", "name", *SILENT) and not sentence.others
+    begun = " at start" if main.all("instant") == ["at start"] else ""
+    asked = main.without("instant", "at start")
+    plain = asked.has("ask", "way") and asked.only("ask", "verb", "name", *SILENT) and not sentence.others
     relative = "".join(f" relative to {name}" for before, name in main.names if before == "relative")
     plain &= len(of) == len(main.names) == 1 + bool(relative) and lookup.rests(names)
     if plain and verbs <= {"start", "tip", *GOES_ON} and verbs:
         is_turned = bool(verbs & {"turn", "tip"}) or of_axles.axle_of(names, of[0]) == "center"
-        yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}{relative}"]
+        yield [f"{'angular ' if is_turned else ''}acceleration of {of[0]}{relative}{begun}"]
