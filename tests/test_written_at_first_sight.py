@@ -334,3 +334,25 @@ def test_a_wall_that_is_upright_and_no_more_is_raised_beside_the_body() -> None:
     text = "connections: {c: {contact: [b, wall]}}\n"
     read, meant = (fb.System.from_text(LINE + text + each) for each in ("ground: {wall: vertical}\n", ""))
     assert read.bodies["ground"] == meant.bodies["ground"]
+
+
+def test_a_beam_with_a_mass_has_a_weight() -> None:
+    text = "beam: {length: 6 m, mass: 60 kg}\nsupports: {A: 0 m, B: 6 m}\n"
+    assert answer(text, "reaction at B") == pytest.approx(30 * G)
+    assert "gravity acts downwards, g = 9.81 m/s^2" in map(str, fb.System.from_text(text).assumptions)
+    assert answer(f"{text}gravity: 1.62 m/s^2\n", "reaction at B") == pytest.approx(30 * 1.62)
+
+
+def test_loads_of_a_beam_are_told_in_words() -> None:
+    # about A: 6 B = 5*4 - 1*2 + 2*3*1.5 + 1*3*4.5
+    loads = "{F: 5 kN at 4 m, G: 1 kN up at 2 m, q: 2 kN/m from 0 to 3 m, p: 1 kN/m down from 3 m to 6 m}"
+    text = f"beam: {{length: 6 m}}\nsupports: {{A: 0 m, B: 6 m}}\nloads: {loads}\n"
+    assert answer(text, "reaction at B") == pytest.approx((20 - 2 + 9 + 13.5) / 6 * 1e3)
+
+
+@pytest.mark.parametrize("loads", ["{F: 5 kN at 8 m}", "[{P: 5 kN, x: -1 m}]", "[{w: 1 kN/m, from: 3 m, to: 7 m}]"])
+def test_a_load_beside_the_beam_is_told(loads: str) -> None:
+    text = f"beam: {{length: 6 m}}\nsupports: {{A: 0 m, B: 6 m}}\nloads: {loads}\n"
+    with pytest.raises(fb.ModelError, match="not on beam: places count from its left end, from 0 to 6 m") as raised:
+        fb.System.from_text(text)
+    assert [problem.line for problem in raised.value.problems] == [3]
