@@ -101,3 +101,14 @@ def test_a_wheel_without_an_axle_where_there_is_one() -> None:
     assert "axle missing" in kinds
     held = fb.System.from_text(_GEARS.format(more="  bearing: {pin: [ground.O, sun]}"))
     assert "axle missing" not in [each.kind for each in held.warnings]
+
+
+def test_velocities_that_contradict_each_other_are_told_with_their_lines() -> None:
+    text = """
+    bodies:
+      A: {particle: {mass: 1 kg}, velocity: [1 m/s, 0]}
+      B: {particle: {mass: 1 kg}, at: [1 m, 0], velocity: [2 m/s, 0]}
+    connections: {rod: {link: [A, B]}}
+    """
+    with pytest.raises(FreebodyError, match=r"rod \(line 5\), velocity of A \(line 3\) and velocity of B \(line 4\)"):
+        fb.System.from_text(text).solve("velocity of A at start")
