@@ -356,3 +356,22 @@ def test_a_load_beside_the_beam_is_told(loads: str) -> None:
     with pytest.raises(fb.ModelError, match="not on beam: places count from its left end, from 0 to 6 m") as raised:
         fb.System.from_text(text)
     assert [problem.line for problem in raised.value.problems] == [3]
+
+
+@pytest.mark.parametrize(
+    ("body", "held", "inertia"),
+    [
+        ("{disk: {mass: m, radius: R}}", "{rolling: {body: wheel, on: floor}}", 1.5),
+        ("{ring: {mass: m, radius: R}}", "{rolling: {body: wheel, on: floor}}", 2.0),
+        ("{disk: {mass: m, radius: R}}", "{contact: {body: wheel, on: floor, mu: 0.4}}", 1.5),
+        ("{rectangle: {mass: m, width: 0.4 m, height: 0.2 m}}", "{contact: {body: wheel, on: floor}}", 1.0),
+    ],
+)
+def test_a_spring_to_a_wall_lies_level(body: str, held: str, inertia: float) -> None:
+    """T = 2 pi sqrt((m + J/R^2)/k) of what rolls, as the spring is at the height of its middle."""
+    text = (
+        "parameters: {m: 4 kg, R: 0.2 m, k: 100 N/m, g: 9.81 m/s^2}\n"
+        f"bodies: {{wheel: {body}}}\nconnections: {{roll: {held}}}\n"
+        "loads: {s: {spring: {from: wall, to: wheel.center, k: k}}, w: {gravity: g}}\n"
+    )
+    assert answer(text, "period of small oscillations") == pytest.approx(2 * math.pi * math.sqrt(inertia * 4 / 100))
