@@ -32,6 +32,8 @@ connections: {{c: {{contact: {{between: [disk, ceiling]{more}}}}}}}
 loads: {{lift: {{force: {{at: disk, along: up, magnitude: F}}}}}}
 """
 _DISK, _BLOCK = "{mass: m, radius: R}", "{mass: m, width: 1 m, height: 2*R}"
+_BLOCK_ALONE = "parameters: {g: 9.81 m/s^2}\nbodies: {c: {particle: {mass: 1 kg}}}\n"
+_SLOPED = "parameters: [alpha]\nground: {lines: {slope: {along: alpha}}}\nbodies: {c: {particle: {mass: 1 kg}}}\n"
 _GEARS = """
 parameters: {{rs: 60 mm, rp: 30 mm, J: 1 kg m^2}}
 bodies:
@@ -57,6 +59,14 @@ connections:
         (_OSCILLATOR.format(more="", loads="  s: {law: {measure: z, force: -k*y}}"), 7, "no measure z. There is: y"),
         (_ROPE.format(R="2*R"), 2, r"R is given by itself \(2\*R\)"),
         ("bodies: {c: {rod: {length: 1 m, inertia: 2 kg m^2}}}", 1, "follows from its mass and its length"),
+        ("bodies: {c: {particle: {mass:2 kg}}}", 1, "a space belongs behind the colon: mass: 2 kg"),
+        (f"{_BLOCK_ALONE}loads: {{w: {{gravity:g}}}}", 3, "a space belongs behind the colon: gravity: g"),
+        (f"{_BLOCK_ALONE}loads:\n  w {{gravity: g}}", 4, r"a colon is missing after w: w: \{...\}"),
+        ("parameters: {m = 2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a colon is missing after m: m: 2 kg"),
+        ("bodies:\n\u00a0\u00a0c: {particle: {mass: 1 kg}}", 2, "a non-breaking space begins this line"),
+        ("parameters: {m: -2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a mass is never negative"),
+        (_SLOPED, 1, "must be a mapping of names, not a list"),
+        (f"{_BLOCK_ALONE}loads: {{F: {{force: {{at: c, along: “up”, magnitude: 1 N}}}}}}", 3, "no quotes of YAML"),
     ],
 )
 def test_one_message_for_one_slip(text: str, line: int, said: str) -> None:

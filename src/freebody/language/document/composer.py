@@ -25,7 +25,7 @@ from ruamel.yaml.events import (
 
 from freebody.errors import ModelError, Problem
 from freebody.language.document.scalars import resolved
-from freebody.language.document.syntax_errors import squeezed_colon, syntax_problem
+from freebody.language.document.syntax_errors import key_problem, squeezed_colon, syntax_problem
 from freebody.language.document.tree import (
     MAX_BYTES,
     MAX_DEPTH,
@@ -190,6 +190,8 @@ class _Composer:
             if name is None:
                 continue
             key = Key(inner.start_mark.line + 1, inner.start_mark.column + 1, inner.end_mark.index)
+            if told := None if inner.style else key_problem(name, last.is_empty):
+                self._note(at, inner, told)
             if last.is_empty:
                 last = self._empty(key)
             step = entries.setdefault(name, DocumentStep(key, last))
