@@ -122,3 +122,11 @@ def test_velocities_that_contradict_each_other_are_told_with_their_lines() -> No
     """
     with pytest.raises(FreebodyError, match=r"rod \(line 5\), velocity of A \(line 3\) and velocity of B \(line 4\)"):
         fb.System.from_text(text).solve("velocity of A at start")
+
+
+def test_another_value_has_the_unit_of_its_parameter() -> None:
+    text = "parameters: {L: 1 m, k: {value: 2, unit: m}}\nbodies: {bar: {rod: {mass: 1 kg, length: L}}}\n"
+    system = fb.System.from_text(text)
+    with pytest.raises(FreebodyError, match="L = 2 has no unit: write 2 m"):
+        system.with_parameters(L="2")
+    assert system.with_parameters(L=2.0, k="3").parameters["k"].value == 3.0
