@@ -375,3 +375,25 @@ def test_a_spring_to_a_wall_lies_level(body: str, held: str, inertia: float) -> 
         "loads: {s: {spring: {from: wall, to: wheel.center, k: k}}, w: {gravity: g}}\n"
     )
     assert answer(text, "period of small oscillations") == pytest.approx(2 * math.pi * math.sqrt(inertia * 4 / 100))
+
+
+def test_a_pulley_that_only_its_rope_names_is_light() -> None:
+    # a = g (m2 - m1 sin a - mu m1 cos a)/(m1 + m2), here with mu = 0; and of an Atwood machine g (m1 - m2)/(m1 + m2)
+    text = (
+        "title: a pulley\nparameters: {m1: 5 kg, m2: 4 kg, alpha: 30 deg}\n"
+        "ground: {lines: {incline: {along: alpha}}}\n"
+        "bodies: {block: {mass: m1, on: incline}, weight: {mass: m2}}\n"
+        "rope: {from: block, over: pulley, to: weight}\ngravity: 9.81 m/s^2\n"
+    )
+    assert answer(text, "acceleration of weight") == pytest.approx(G * (4 - 2.5) / 9)
+    assert "pulley is no body of the file: it is a disk without mass" in map(str, fb.System.from_text(text).assumptions)
+    atwood = "bodies: {A: {mass: 3 kg}, B: {mass: 2 kg}}\nrope: {from: A, over: pulley, to: B}\ngravity: 9.81 m/s^2\n"
+    assert answer(atwood, "tension of rope") == pytest.approx(2 * 3 * 2 * G / 5)
+
+
+def test_a_rope_over_a_point_of_the_ground_stays_there() -> None:
+    text = (
+        "ground: {points: {pulley: [1 m, 2 m]}}\nbodies: {A: {mass: 3 kg}, B: {mass: 2 kg}}\n"
+        "rope: {from: A, over: ground.pulley, to: B}\ngravity: 9.81 m/s^2\n"
+    )
+    assert "pulley" not in fb.System.from_text(text).bodies
