@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 
 G = 9.81
 
@@ -397,3 +398,20 @@ def test_a_rope_over_a_point_of_the_ground_stays_there() -> None:
         "rope: {from: A, over: ground.pulley, to: B}\ngravity: 9.81 m/s^2\n"
     )
     assert "pulley" not in fb.System.from_text(text).bodies
+
+
+def test_a_carrier_is_as_long_as_its_gears_need_to_mesh() -> None:
+    # Willis: omega_carrier = omega_sun z_sun/(z_sun + z_ring); r_sun + r_planet = (20 + 30) m/2
+    text = (
+        "bodies: {sun: {gear: {teeth: 20, module: 2 mm}}, planet: {gear: {teeth: 30}}, carrier: {rod: },"
+        " ring: {gear: {teeth: 80}, fixed: true}}\n"
+        "connections: {a: {pin: [ground.O, sun]}, b: {pin: [ground.O, carrier.start]}, c: {pin: [carrier.end, planet]},"
+        " d: {gear_mesh: [sun, planet]}, e: {gear_mesh: {first: ring, second: planet, internal: true}},"
+        " drive: {driver: {on: sun, speed: 1500 rpm}}}\n"
+    )
+    assert answer(text, "angular velocity of carrier") == pytest.approx(1500 * math.pi / 30 * 20 / 100)
+    system = fb.System.from_text(text)
+    assert system.parameters.keys() == set()
+    assert all(warning.kind == "elbow open" for warning in system.warnings)  # which way it points does not matter
+    _start, end = (system.bodies["carrier"].points[name][0] for name in ("start", "end"))
+    assert float(str(evaluate(end, {}))) == pytest.approx(0.025)
