@@ -415,3 +415,14 @@ def test_a_carrier_is_as_long_as_its_gears_need_to_mesh() -> None:
     assert all(warning.kind == "elbow open" for warning in system.warnings)  # which way it points does not matter
     _start, end = (system.bodies["carrier"].points[name][0] for name in ("start", "end"))
     assert float(str(evaluate(end, {}))) == pytest.approx(0.025)
+
+
+def test_a_damper_on_a_flywheel_brakes_it() -> None:
+    # J w' = M - c w: w = M/c (1 - exp(-c t/J)), so M/(10 c) after J/c log(10/9)
+    text = (
+        "parameters: {J: 0.5 kg m^2, M: 10 N m, c: 0.1 N m s}\nbodies: {flywheel: {disk: {inertia: J}}}\n"
+        "connections: {bearing: {pin: [ground, flywheel]}}\n"
+        "loads: {motor: {torque: {on: flywheel, magnitude: M}}, drag: {torsional_damper: {on: flywheel, c: c}}}\n"
+    )
+    for question in ("time until the flywheel turns at 10 rad/s", "when does the flywheel run at 10 rad/s?"):
+        assert answer(text, question) == pytest.approx(5 * math.log(10 / 9))
