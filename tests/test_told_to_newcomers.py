@@ -61,7 +61,7 @@ connections:
         ("bodies: {c: {rod: {length: 1 m, inertia: 2 kg m^2}}}", 1, "follows from its mass and its length"),
         ("bodies: {c: {particle: {mass:2 kg}}}", 1, "a space belongs behind the colon: mass: 2 kg"),
         (f"{_BLOCK_ALONE}loads: {{w: {{gravity:g}}}}", 3, "a space belongs behind the colon: gravity: g"),
-        (f"{_BLOCK_ALONE}loads:\n  w {{gravity: g}}", 4, r"a colon is missing after w: w: \{...\}"),
+        (f"{_BLOCK_ALONE}loads:\n  w {{gravity: g}}", 4, r"a colon is missing after w: w: \{gravity: g\}"),
         ("parameters: {m = 2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a colon is missing after m: m: 2 kg"),
         ("bodies:\n\u00a0\u00a0c: {particle: {mass: 1 kg}}", 2, "a non-breaking space begins this line"),
         ("parameters: {m: -2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a mass is never negative"),
