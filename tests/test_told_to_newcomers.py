@@ -65,6 +65,7 @@ connections:
         ("parameters: {m = 2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a colon is missing after m: m: 2 kg"),
         ("bodies:\n\u00a0\u00a0c: {particle: {mass: 1 kg}}", 2, "a non-breaking space begins this line"),
         ("parameters: {m: -2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a mass is never negative"),
+        ("bodies: {c: {disk: {radius: 1 m}, rolls on: floor}}", 1, r"rolling: \{body: c, on: floor\}"),
         (_SLOPED, 1, "must be a mapping of names, not a list"),
         (f"{_BLOCK_ALONE}loads: {{F: {{force: {{at: c, along: “up”, magnitude: 1 N}}}}}}", 3, "no quotes of YAML"),
     ],
@@ -130,3 +131,17 @@ def test_another_value_has_the_unit_of_its_parameter() -> None:
     with pytest.raises(FreebodyError, match="L = 2 has no unit: write 2 m"):
         system.with_parameters(L="2")
     assert system.with_parameters(L=2.0, k="3").parameters["k"].value == 3.0
+
+
+def test_a_wheel_meets_a_point_of_the_ground_by_its_plain_name() -> None:
+    text = """
+    parameters: {R: 0.35 m, h: 0.1 m}
+    ground: {points: {kerb: [1 m, h]}}
+    bodies: {wheel: {hoop: {mass: 10 kg, radius: R}, velocity: 3 m/s, at: [0, R]}}
+    connections: {road: {rolling: {body: wheel, on: road}}, hit: {contact: {body: wheel, on: kerb, restitution: 0}}}
+    """
+    system = fb.System.from_text(text)
+    assert any("velocity of wheel counts along road" in str(each) for each in system.assumptions)
+    with pytest.raises(FreebodyError) as error:  # no angle is made of what is a point
+        fb.System.from_text(text.replace("rolling: {body: wheel, on: road}", "pin: [ground.Q, wheel.P]"))
+    assert "cos(kerb)" not in str(error.value)
