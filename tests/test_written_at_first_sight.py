@@ -426,3 +426,22 @@ def test_a_damper_on_a_flywheel_brakes_it() -> None:
     )
     for question in ("time until the flywheel turns at 10 rad/s", "when does the flywheel run at 10 rad/s?"):
         assert answer(text, question) == pytest.approx(5 * math.log(10 / 9))
+
+
+def test_a_flywheel_whose_speed_is_asked_turns_where_it_is() -> None:
+    text = (
+        "bodies: {flywheel: {disk: {mass: 2 kg, radius: 1 m}, pivot: O}}\n"
+        "loads: {motor: {torque: {on: flywheel, magnitude: 3 N m}}}\n"
+    )
+    (found,) = fb.System.from_text(text).solve("speed of flywheel after 2 s").answers
+    assert found.value == 0.0
+    assert "its mass centre stands still: ask for the angular velocity of flywheel" in map(str, found.notes)
+    thrown = "bodies: {d: {disk: {mass: 2 kg, radius: 1 m}, velocity: [0, 5 m/s]}}\nloads: {w: {gravity: 9.81 m/s^2}}\n"
+    (top,) = fb.System.from_text(f"{thrown}measures: {{y: height of d}}\n").solve("speed of d when rate(y) = 0").answers
+    assert not any("stands still" in str(note) for note in top.notes)  # there alone
+
+
+def test_the_place_of_the_greatest_moment_has_a_unit() -> None:
+    text = "beam: {length: 6 m}\nsupports: {A: 0, B: 4 m}\nloads: {F: 2 kN at 6 m}\n"
+    (found,) = fb.System.from_text(text).solve("greatest bending moment").answers
+    assert "at 4 m from beam.start" in map(str, found.notes)
