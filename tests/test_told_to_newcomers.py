@@ -145,3 +145,17 @@ def test_a_wheel_meets_a_point_of_the_ground_by_its_plain_name() -> None:
     with pytest.raises(FreebodyError) as error:  # no angle is made of what is a point
         fb.System.from_text(text.replace("rolling: {body: wheel, on: road}", "pin: [ground.Q, wheel.P]"))
     assert "cos(kerb)" not in str(error.value)
+
+
+def test_a_pin_joins_further_bodies_by_their_plain_names() -> None:
+    text = """
+    bodies: {a: {rod: {mass: 1 kg, length: 1 m}}, b: {rod: {mass: 1 kg, length: 1 m}}, c: {particle: {mass: 1 kg}}}
+    connections: {O: {pin: [ground.O, a.start]}, P: {pin: [a.end, b.start, c]}}
+    """
+    strict = text.replace("[a.end, b.start, c]}", "[a.end, b.start]}, P_2: {pin: [a.end, c]}")
+    assert fb.System.from_text(text).connections == fb.System.from_text(strict).connections
+
+
+def test_a_rod_has_a_length() -> None:
+    with pytest.raises(FreebodyError, match="length is 0; give a positive one"):
+        fb.System.from_text("bodies: {a: {rod: {mass: 1 kg, length: 0 m}}}")
