@@ -66,6 +66,7 @@ connections:
         ("bodies:\n\u00a0\u00a0c: {particle: {mass: 1 kg}}", 2, "a non-breaking space begins this line"),
         ("parameters: {m: -2 kg}\nbodies: {c: {particle: {mass: m}}}", 1, "a mass is never negative"),
         ("bodies: {c: {disk: {radius: 1 m}, rolls on: floor}}", 1, r"rolling: \{body: c, on: floor\}"),
+        (f"{_BLOCK_ALONE}loads: {{spring: from wall to c}}", 3, r"my_spring: \{spring: \{.*stiffness"),
         (_SLOPED, 1, "must be a mapping of names, not a list"),
         (f"{_BLOCK_ALONE}loads: {{F: {{force: {{at: c, along: “up”, magnitude: 1 N}}}}}}", 3, "no quotes of YAML"),
     ],
@@ -154,8 +155,3 @@ def test_a_pin_joins_further_bodies_by_their_plain_names() -> None:
     """
     strict = text.replace("[a.end, b.start, c]}", "[a.end, b.start]}, P_2: {pin: [a.end, c]}")
     assert fb.System.from_text(text).connections == fb.System.from_text(strict).connections
-
-
-def test_a_rod_has_a_length() -> None:
-    with pytest.raises(FreebodyError, match="length is 0; give a positive one"):
-        fb.System.from_text("bodies: {a: {rod: {mass: 1 kg, length: 0 m}}}")

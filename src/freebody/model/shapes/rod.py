@@ -49,7 +49,7 @@ class Rod(Shape, kind="rod"):
     example = "{mass: 1 kg, length: 1 m}"
 
     def build(self, names: Names) -> Build:
-        m, length = names.positive(self, "mass", MASS), names.above_zero(self, "length", LENGTH)
+        m, length = names.positive(self, "mass", MASS), names.positive(self, "length", LENGTH)
         end, inertia = half(length), divide(multiply(m, power(length, number(2))), number(12))
         return Build(
             m,
