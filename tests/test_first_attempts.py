@@ -287,7 +287,7 @@ MISTAKES = {
     ),
     "a section without a colon": (
         f"{ROD}measures: {{phi: angle of rod}}\nstart {{phi: 1 rad}}",
-        "a colon is missing after start: start: {...}",
+        "a colon is missing after start: start: {phi: 1 rad}",
     ),
 }
 

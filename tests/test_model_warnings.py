@@ -742,3 +742,23 @@ measures: {theta: angle of left}
 """
     told = [warning.text() for warning in fb.System.from_text(text).warnings]
     assert any("f1 keeps left from turning, so that theta has no effect" in message for message in told)
+
+
+def test_a_disk_that_hangs_by_its_middle_alone_is_told() -> None:
+    text = (
+        "bodies: {yoyo: {disk: {mass: 1 kg, radius: 4 cm}}}\nconnections: {cord: {string: {from: ceiling, to: yoyo}}}\n"
+    )
+    text += "loads: {w: {gravity: 9.81 m/s^2}}\n"
+    (told,) = fb.System.from_text(text).warnings
+    assert told.kind == "tied at the axle"
+    assert "wound on yoyo" in str(told.problem.message)
+    for meant in (text.replace("to: yoyo", "to: wound on yoyo"), text.replace("to: yoyo", "to: yoyo.center")):
+        assert fb.System.from_text(meant).warnings == ()
+
+
+def test_what_is_joined_twice_is_told() -> None:
+    text = "bodies: {bar: {rod: {mass: 1 kg, length: 1 m}}}\nloads: {w: {gravity: 9.81 m/s^2}}\n"
+    text += "connections: {A: {pin: [ground.A, bar.start]}, B: {pin: [bar.start, ground.A]}}\n"
+    (told,) = fb.System.from_text(text).warnings
+    assert told.kind == "joined twice"
+    assert told.problem.path == ("connections", "B")

@@ -165,3 +165,33 @@ loads:
 )
 def test_a_section_at_a_distance_is_asked_the_other_way_round(said: str, formula: str) -> None:
     assert is_formula(OVERHANG, said, formula, factors=(1.0,))
+
+
+GERBER = """
+beam: {length: 9 m, hinges: [6 m]}
+supports: {A: 0 m, B: 4 m, C: 9 m}
+loads: {q: {value: 2 kN/m, from: 6 m, to: 9 m}, F: {force: 6 kN, at: 2 m}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("said", "expected"),
+    [
+        ("bending moment at 4 m from the left end", -6000.0),
+        ("bending moment 1.5 m from the right end", 2250.0),
+        ("Biegemoment 7,5 m vom linken Ende", 2250.0),
+        ("shear force at x = 7 m", 1000.0),
+        ("bending moment in the middle", -4500.0),
+        ("Biegemoment in der Mitte", -4500.0),
+    ],
+)
+def test_distances_run_through_the_hinges_of_a_beam(said: str, expected: float) -> None:
+    """The hinge bears half of q over 3 m, 3 kN: M = -3 kN (6 m - x) from B to it, q x'(3 m - x')/2 behind it."""
+    assert answer(said, GERBER).value == pytest.approx(expected, rel=1e-9)
+
+
+def test_in_the_middle_is_at_the_centre() -> None:
+    """A (L/2) - P (L/2 - a) - q (L/2 - a)^2/2."""
+    expected = A * L / 2 - P * (L / 2 - AT) - Q * (L / 2 - AT) ** 2 / 2
+    assert answer("bending moment in the middle").value == pytest.approx(expected, rel=1e-9)
+    assert answer("bending moment at midspan").value == pytest.approx(expected, rel=1e-9)

@@ -7,6 +7,7 @@ import math
 import pytest
 
 import freebody as fb
+from freebody.language.expression import evaluate
 
 G = 9.81
 
@@ -334,3 +335,113 @@ def test_a_wall_that_is_upright_and_no_more_is_raised_beside_the_body() -> None:
     text = "connections: {c: {contact: [b, wall]}}\n"
     read, meant = (fb.System.from_text(LINE + text + each) for each in ("ground: {wall: vertical}\n", ""))
     assert read.bodies["ground"] == meant.bodies["ground"]
+
+
+def test_a_beam_with_a_mass_has_a_weight() -> None:
+    text = "beam: {length: 6 m, mass: 60 kg}\nsupports: {A: 0 m, B: 6 m}\n"
+    assert answer(text, "reaction at B") == pytest.approx(30 * G)
+    assert "gravity acts downwards, g = 9.81 m/s^2" in map(str, fb.System.from_text(text).assumptions)
+    assert answer(f"{text}gravity: 1.62 m/s^2\n", "reaction at B") == pytest.approx(30 * 1.62)
+
+
+def test_loads_of_a_beam_are_told_in_words() -> None:
+    # about A: 6 B = 5*4 - 1*2 + 2*3*1.5 + 1*3*4.5
+    loads = "{F: 5 kN at 4 m, G: 1 kN up at 2 m, q: 2 kN/m from 0 to 3 m, p: 1 kN/m down from 3 m to 6 m}"
+    text = f"beam: {{length: 6 m}}\nsupports: {{A: 0 m, B: 6 m}}\nloads: {loads}\n"
+    assert answer(text, "reaction at B") == pytest.approx((20 - 2 + 9 + 13.5) / 6 * 1e3)
+
+
+@pytest.mark.parametrize("loads", ["{F: 5 kN at 8 m}", "[{P: 5 kN, x: -1 m}]", "[{w: 1 kN/m, from: 3 m, to: 7 m}]"])
+def test_a_load_beside_the_beam_is_told(loads: str) -> None:
+    text = f"beam: {{length: 6 m}}\nsupports: {{A: 0 m, B: 6 m}}\nloads: {loads}\n"
+    with pytest.raises(fb.ModelError, match="not on beam: places count from its left end, from 0 to 6 m") as raised:
+        fb.System.from_text(text)
+    assert [problem.line for problem in raised.value.problems] == [3]
+
+
+@pytest.mark.parametrize(
+    ("body", "held", "inertia"),
+    [
+        ("{disk: {mass: m, radius: R}}", "{rolling: {body: wheel, on: floor}}", 1.5),
+        ("{ring: {mass: m, radius: R}}", "{rolling: {body: wheel, on: floor}}", 2.0),
+        ("{disk: {mass: m, radius: R}}", "{contact: {body: wheel, on: floor, mu: 0.4}}", 1.5),
+        ("{rectangle: {mass: m, width: 0.4 m, height: 0.2 m}}", "{contact: {body: wheel, on: floor}}", 1.0),
+    ],
+)
+def test_a_spring_to_a_wall_lies_level(body: str, held: str, inertia: float) -> None:
+    """T = 2 pi sqrt((m + J/R^2)/k) of what rolls, as the spring is at the height of its middle."""
+    text = (
+        "parameters: {m: 4 kg, R: 0.2 m, k: 100 N/m, g: 9.81 m/s^2}\n"
+        f"bodies: {{wheel: {body}}}\nconnections: {{roll: {held}}}\n"
+        "loads: {s: {spring: {from: wall, to: wheel.center, k: k}}, w: {gravity: g}}\n"
+    )
+    assert answer(text, "period of small oscillations") == pytest.approx(2 * math.pi * math.sqrt(inertia * 4 / 100))
+
+
+def test_a_pulley_that_only_its_rope_names_is_light() -> None:
+    # a = g (m2 - m1 sin a - mu m1 cos a)/(m1 + m2), here with mu = 0; and of an Atwood machine g (m1 - m2)/(m1 + m2)
+    text = (
+        "title: a pulley\nparameters: {m1: 5 kg, m2: 4 kg, alpha: 30 deg}\n"
+        "ground: {lines: {incline: {along: alpha}}}\n"
+        "bodies: {block: {mass: m1, on: incline}, weight: {mass: m2}}\n"
+        "rope: {from: block, over: pulley, to: weight}\ngravity: 9.81 m/s^2\n"
+    )
+    assert answer(text, "acceleration of weight") == pytest.approx(G * (4 - 2.5) / 9)
+    assert "pulley is no body of the file: it is a disk without mass" in map(str, fb.System.from_text(text).assumptions)
+    atwood = "bodies: {A: {mass: 3 kg}, B: {mass: 2 kg}}\nrope: {from: A, over: pulley, to: B}\ngravity: 9.81 m/s^2\n"
+    assert answer(atwood, "tension of rope") == pytest.approx(2 * 3 * 2 * G / 5)
+
+
+def test_a_rope_over_a_point_of_the_ground_stays_there() -> None:
+    text = (
+        "ground: {points: {pulley: [1 m, 2 m]}}\nbodies: {A: {mass: 3 kg}, B: {mass: 2 kg}}\n"
+        "rope: {from: A, over: ground.pulley, to: B}\ngravity: 9.81 m/s^2\n"
+    )
+    assert "pulley" not in fb.System.from_text(text).bodies
+
+
+def test_a_carrier_is_as_long_as_its_gears_need_to_mesh() -> None:
+    # Willis: omega_carrier = omega_sun z_sun/(z_sun + z_ring); r_sun + r_planet = (20 + 30) m/2
+    text = (
+        "bodies: {sun: {gear: {teeth: 20, module: 2 mm}}, planet: {gear: {teeth: 30}}, carrier: {rod: },"
+        " ring: {gear: {teeth: 80}, fixed: true}}\n"
+        "connections: {a: {pin: [ground.O, sun]}, b: {pin: [ground.O, carrier.start]}, c: {pin: [carrier.end, planet]},"
+        " d: {gear_mesh: [sun, planet]}, e: {gear_mesh: {first: ring, second: planet, internal: true}},"
+        " drive: {driver: {on: sun, speed: 1500 rpm}}}\n"
+    )
+    assert answer(text, "angular velocity of carrier") == pytest.approx(1500 * math.pi / 30 * 20 / 100)
+    system = fb.System.from_text(text)
+    assert system.parameters.keys() == set()
+    assert all(warning.kind == "elbow open" for warning in system.warnings)  # which way it points does not matter
+    _start, end = (system.bodies["carrier"].points[name][0] for name in ("start", "end"))
+    assert float(str(evaluate(end, {}))) == pytest.approx(0.025)
+
+
+def test_a_damper_on_a_flywheel_brakes_it() -> None:
+    # J w' = M - c w: w = M/c (1 - exp(-c t/J)), so M/(10 c) after J/c log(10/9)
+    text = (
+        "parameters: {J: 0.5 kg m^2, M: 10 N m, c: 0.1 N m s}\nbodies: {flywheel: {disk: {inertia: J}}}\n"
+        "connections: {bearing: {pin: [ground, flywheel]}}\n"
+        "loads: {motor: {torque: {on: flywheel, magnitude: M}}, drag: {torsional_damper: {on: flywheel, c: c}}}\n"
+    )
+    for question in ("time until the flywheel turns at 10 rad/s", "when does the flywheel run at 10 rad/s?"):
+        assert answer(text, question) == pytest.approx(5 * math.log(10 / 9))
+
+
+def test_a_flywheel_whose_speed_is_asked_turns_where_it_is() -> None:
+    text = (
+        "bodies: {flywheel: {disk: {mass: 2 kg, radius: 1 m}, pivot: O}}\n"
+        "loads: {motor: {torque: {on: flywheel, magnitude: 3 N m}}}\n"
+    )
+    (found,) = fb.System.from_text(text).solve("speed of flywheel after 2 s").answers
+    assert found.value == 0.0
+    assert "its mass centre stands still: ask for the angular velocity of flywheel" in map(str, found.notes)
+    thrown = "bodies: {d: {disk: {mass: 2 kg, radius: 1 m}, velocity: [0, 5 m/s]}}\nloads: {w: {gravity: 9.81 m/s^2}}\n"
+    (top,) = fb.System.from_text(f"{thrown}measures: {{y: height of d}}\n").solve("speed of d when rate(y) = 0").answers
+    assert not any("stands still" in str(note) for note in top.notes)  # there alone
+
+
+def test_the_place_of_the_greatest_moment_has_a_unit() -> None:
+    text = "beam: {length: 6 m}\nsupports: {A: 0, B: 4 m}\nloads: {F: 2 kN at 6 m}\n"
+    (found,) = fb.System.from_text(text).solve("greatest bending moment").answers
+    assert "at 4 m from beam.start" in map(str, found.notes)

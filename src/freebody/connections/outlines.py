@@ -125,8 +125,10 @@ def read_outline(names: Names, text: str, *path: str | int, below: bool = False)
     side = names.edge(words)
     if side is not None:
         return _of_side(names, side, point_name, *path)
+    if not point_name and words not in names.bodies and words in names.bodies[GROUND].points:
+        body_name, point_name = GROUND, words
     if point_name:
-        point = names.point(words, *path)
+        point = names.point(f"{body_name}.{point_name}", *path)
         radius = names.known(point.body).circles.get(point_name, ZERO)
         return Outline(point.body, words, (RoundPart(point, radius, words),))
     if body_name not in names.bodies and body_name not in names.broken:

@@ -73,6 +73,7 @@ _SAME = {"**": "^", "·": "*", "⋅": "*", "×": "*", "−": "-"}
 
 _HINTS = {
     "'\"`": Message("text in quotes is not mathematics"),
+    "“”„‟‘’‚«»": Message("quotes that close and open are no quotes of YAML; leave them out, or write plain ones"),
     "[]{}": Message("only round brackets ( ) group"),
     ",": Message("functions take one argument, elliptic_F two, and decimals are written with a point"),
     ".": Message("a point stands only in a decimal number, as in 0.5"),

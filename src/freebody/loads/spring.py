@@ -225,7 +225,17 @@ def turn_about(names: Names, body: str, on: str, about: Heading | None) -> Measu
     return Turn(Direction(of.name, b), Direction(base.name, b), Direction(base.name, c))
 
 
-class TorsionalSpring(Load, kind="torsional_spring"):
+class _OnBody(Load):
+    """What turns a body against another one. Where one alone is named, as `on: wheel`, it is that body."""
+
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        fields = super().from_plain(value)
+        is_alone = "on" in fields and "body" not in fields
+        return {"body" if is_alone and key == "on" else key: each for key, each in fields.items()}
+
+
+class TorsionalSpring(_OnBody, kind="torsional_spring"):
     """`torsional_spring: {body: rod, stiffness: k, on: ground, angle: 0}`: turns the body back with
     k (theta - angle). In space theta is the turn `about` an axis of the body that it is on."""
 
@@ -257,7 +267,7 @@ loads: {it: {torsional_spring: {body: wheel, stiffness: 5 N m}}}
         yield glyphs.Coil(names.body(self.body).mass_center, names.body(self.on).mass_center, axis, is_spring=True)
 
 
-class TorsionalDamper(Load, kind="torsional_damper"):
+class TorsionalDamper(_OnBody, kind="torsional_damper"):
     """`torsional_damper: {body: rod, damping: c, on: ground}`: resists with c dtheta/dt. In space
     theta is the turn `about` an axis of the body that it is on."""
 

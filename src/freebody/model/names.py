@@ -492,6 +492,8 @@ class Names(Formulas):
                     )
                     self.problem(told, *path)
                     return self.compass["right"]
+                if self.is_broken_in(text):
+                    return self.compass["right"]  # what it is may stand where nothing could be read
                 known = [*self.compass, *self.bodies[GROUND].lines, *self.bodies[GROUND].planes]
                 known += [f"{b.name}.{line}" for b in self.bodies.values() for line in (*b.lines, *b.sides)]
                 self.problem(

@@ -7,7 +7,7 @@ from contextlib import suppress
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, Problem
 from freebody.language.sentences import Message, listed
 from freebody.model.elements import RigidBody
 from freebody.model.state import rate_not_given
@@ -19,6 +19,7 @@ from freebody.numeric.sparse import SparseRows
 from freebody.numeric.split import NO_GRADIENT, Split, stack
 from freebody.numeric.start import Wanted
 from freebody.numeric.system import NumericSystem
+from freebody.system.system import System
 from freebody.tolerances import ROUND_OFF, ROUNDED
 
 _HAS_PART = 1e-6  # of the largest gap: less is round-off
@@ -40,11 +41,11 @@ def start_velocities(reference: NumericSystem, g: JetGeometry, extra: Wanted, *,
         v = _least_velocities(reference, J, b)
     gaps = np.abs(J @ v - b)
     if gaps.size and gaps.max() > ROUND_OFF * max(1.0, float(np.abs(b).max())):
-        raise CannotAnswer(_contradiction([name for name, _jet, _rate in wanted], gaps))
+        raise CannotAnswer(_contradiction(reference.system, [name for name, _jet, _rate in wanted], gaps))
     return v
 
 
-def _contradiction(names: Sequence[str], gaps: Array) -> str:
+def _contradiction(system: System, names: Sequence[str], gaps: Array) -> str:
     """What contradicts: the gaps r of least squares fulfil J' r = 0, so that the rates in which r is not zero cannot
     all have their values, as r . b is not zero."""
     k = int(gaps.argmax())
@@ -56,13 +57,30 @@ def _contradiction(names: Sequence[str], gaps: Array) -> str:
             name=names[k],
             gap=gaps[k],
         )
-    return Message(
+    told = Message(
         "the velocities of {names} contradict each other: at best {name} is off by {gap:.3g} (in SI units). Change or "
         "remove one of them",
-        names=listed(parts),
+        names=listed([*dict.fromkeys(_as_written(system, part) for part in parts)]),
         name=names[k],
         gap=gaps[k],
     )
+    return Problem((), told).text(system.document.file)
+
+
+def _as_written(system: System, part: str) -> str:
+    """What contradicts by the name that it has in the file, with its line where the file gives a value."""
+    paths: dict[str, tuple[str, ...]] = {
+        f"{field} of {body.name}": ("bodies", body.name, field)
+        for body in system.all_moving
+        for field in ("velocity", "angular_velocity")
+    }
+    paths |= {f"rate({name})": ("start", f"rate({name})") for name in system.all_start_rates}
+    paths |= {row.name: ("connections", row.connection) for row in system.constraint_rows if row.connection}
+    if (path := paths.get(part)) is None:
+        return part
+    name = path[1] if path[0] == "connections" else part
+    line = system.document.locate(Problem(path, part)).line
+    return name if line is None else Message("{name} (line {line})", name=name, line=line)
 
 
 def _rates_matrix(jets: Sequence[Jet], n: int) -> Array | SparseRows:

@@ -79,6 +79,11 @@ class System(SystemDescription):
                 dimension, is_angle = self.parameters[name].dimension, self.parameters[name].is_angle
                 unit = "rad" if is_angle else "" if dimension == DIMENSIONLESS else str(dimension)
                 value = f"{value!r} {unit}" if unit else value
+            elif self.parameters[name].dimension != DIMENSIONLESS and _is_bare(value) and not _has_unit(given):
+                unit = self.parameters[name].unit or str(self.parameters[name].dimension)
+                raise InputError(
+                    Message("{name} = {value} has no unit: write {value} {unit}", name=name, value=value, unit=unit)
+                )
             if name in self.unspecified:
                 document = with_dimension(document, self.unspecified[name], value)
                 continue
@@ -182,3 +187,16 @@ def _plain(value: Any) -> Any:
     if isinstance(value, (list, tuple)):
         return [_plain(v) for v in cast("Sequence[Any]", value)]
     return as_text(value)
+
+
+def _has_unit(given: Any) -> bool:
+    """Whether the model says the unit beside the value: {value: 2, unit: m}."""
+    return isinstance(given, dict) and "unit" in given
+
+
+def _is_bare(value: str) -> bool:
+    """Whether a text is a number without a unit, which stands for nothing but a number."""
+    try:
+        return float(value) != 0.0
+    except ValueError:
+        return False

@@ -25,7 +25,7 @@ from ruamel.yaml.events import (
 
 from freebody.errors import ModelError, Problem
 from freebody.language.document.scalars import resolved
-from freebody.language.document.syntax_errors import squeezed_colon, syntax_problem
+from freebody.language.document.syntax_errors import key_problem, squeezed_colon, syntax_problem
 from freebody.language.document.tree import (
     MAX_BYTES,
     MAX_DEPTH,
@@ -77,7 +77,9 @@ class _Composer:
         except _RestUnread:
             pass
         except YAMLError as error:
-            self.problems.append(syntax_problem(error, self.text, self._last))
+            found = syntax_problem(error, self.text, self._last)
+            if all(told.message != found.message for told in self.problems):  # what a key tells already
+                self.problems.append(found)
         except (ValueError, OverflowError):
             # ruamel.yaml lets chr() and int() fail on an escape such as "\UFFFFFFFF".
             self._note((), self._last, Message("an escape here stands for no character; write the character itself"))
@@ -190,6 +192,8 @@ class _Composer:
             if name is None:
                 continue
             key = Key(inner.start_mark.line + 1, inner.start_mark.column + 1, inner.end_mark.index)
+            if told := None if inner.style else key_problem(name, last.is_empty, self._line_of(inner)):
+                self._note(at, inner, told)
             if last.is_empty:
                 last = self._empty(key)
             step = entries.setdefault(name, DocumentStep(key, last))
@@ -262,6 +266,10 @@ class _Composer:
         else:
             line, column = at.start_mark.line + 1, at.start_mark.column + 1
         self.problems.append(Problem(path, message, line, column))
+
+    def _line_of(self, event: Any) -> str:
+        """The text from an event to the end of its line."""
+        return self.text[event.start_mark.index :].split("\n", 1)[0]
 
     def _stop(self, problem: Problem) -> NoReturn:
         self.problems.append(problem)

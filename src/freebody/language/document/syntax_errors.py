@@ -18,6 +18,9 @@ from freebody.messages import Message
 
 _BARE_NAME = re.compile(r"\s*(?:- )?(\w+)\s+([{\[].*?)\s*(?:#.*)?$")  # an entry of a mapping without its colon
 _EQUALS = re.compile(r"(\w+)\s*=\s*([^\s#].*?)\s*(?:#.*)?$")
+_BRACKET_IN_KEY = re.compile(r"\w+\s+[{\[].*")
+_SQUEEZED_KEY = re.compile(r"(\w+):([^\s:].*)")
+_WIDE_SPACE = "\u00a0"
 _BARE_TEXT = re.compile(r"(\w+)\s+(?:=\s*)?([^\s#].*?)\s*(?:#.*)?$")  # of such an entry, its value a text
 
 
@@ -129,3 +132,16 @@ def _colon_out_of_place(text: str, mark: Any, last: Any) -> Problem:
 def squeezed_colon(text: str) -> str:
     found = re.match(r"[^\s:#'\"\[\]{},]+:[^\s:]+", text)
     return found[0] if found else ""
+
+
+def key_problem(key: str, is_empty: bool, line: str) -> Message | None:
+    """What is wrong with a key that has swallowed what stands beside it: its value, its colon, or the space before.
+    line: the text from the key to the end of its line."""
+    if key[0] == _WIDE_SPACE:
+        return Message("a non-breaking space begins this line; YAML allows plain spaces only")
+    if is_empty and (squeezed := _SQUEEZED_KEY.fullmatch(key)):
+        return Message("a space belongs behind the colon: {name}: {value}", name=squeezed[1], value=squeezed[2])
+    bare = _BARE_NAME.match(line) if _BRACKET_IN_KEY.fullmatch(key) else _EQUALS.fullmatch(key) if is_empty else None
+    if bare is None:
+        return None
+    return Message("a colon is missing after {name}: {name}: {rest}", name=bare[1], rest=bare[2])

@@ -13,7 +13,7 @@ from itertools import pairwise
 from typing import Any
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import add
+from freebody.language.expression import add, free_symbols
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.questions.greatest_section import GreatestInRod, Span, only_zero, root_of
@@ -80,7 +80,7 @@ class _Search:
             at_start=self.question.at_start,
             sides=[c.element for c in conditions],
         )
-        told = Message("at {x} from {body}.start", x=to_text(tidy(candidates[k].at)), body=q.body)
+        told = Message("at {x} from {body}.start", x=_length(candidates[k].at), body=q.body)
         if q.asks == "place":
             told = Message("it is {x} there", x=to_text(tidy(size)))
         return Finding(x, evidence, conditions, notes=[told, *self._elsewhere(candidates, k)])
@@ -177,7 +177,7 @@ class _Search:
         """Other places at which it is as great, whatever the parameters are."""
         size, x = candidates[k].value, candidates[k].at
         alike = [c for c in candidates if (c.value - size).is_zero() or (c.value + size).is_zero()]
-        places = dict.fromkeys(to_text(tidy(c.at)) for c in alike if not (c.at - x).is_zero())
+        places = dict.fromkeys(_length(c.at) for c in alike if not (c.at - x).is_zero())
         if size.is_zero() or not places:
             return []
         return [Message("as great at {places} from {body}.start", places=", ".join(places), body=self.q.body)]
@@ -247,3 +247,9 @@ def _sign(x: Ratio, at: float, near: float) -> int | None:
     if x.is_zero():
         return 0
     return None if abs(at) <= near else 1 if at > 0.0 else -1
+
+
+def _length(x: Ratio) -> str:
+    """A place along a rod; a number is one in metres."""
+    tidied = tidy(x)
+    return to_text(tidied) if free_symbols(tidied) else f"{to_text(tidied)} m"

@@ -9,7 +9,7 @@ from functools import partial
 from math import isfinite, pi
 
 from freebody.errors import CannotAnswer, ModelError, Problem
-from freebody.language.expression import FLOAT_FUNCTIONS, ZERO, evaluate, free_symbols, number
+from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols, number
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
 from freebody.questions.course import Transition
@@ -35,6 +35,7 @@ from freebody.study.answering.past_borders import is_of_motion, past_borders
 from freebody.study.answering.places_of_quantities import placed, with_place
 from freebody.study.answering.plain_numbers import with_plain_numbers
 from freebody.study.answering.reactions_at_rest import reaction_at_rest
+from freebody.study.answering.remarks import with_remark
 from freebody.study.answering.scope import is_scope
 from freebody.study.answering.solution import Solution
 from freebody.study.given import each
@@ -67,21 +68,13 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
             for a in _solved(system, begun, setup).answers
         }
     told = [
-        with_place(q, _with_remark(system, q, with_other_turns(system, q, answers[q.id])))
+        with_place(q, with_remark(system, q, with_other_turns(system, q, answers[q.id])))
         if q.id in answers
         else refused(q, no_place[q.id])
         for q in questions
     ]
     own = {a.id: a for a in told} | functions
     return replace(found, answers=tuple(_without_gaps(system, own[q.id]) for q in asked))
-
-
-def _with_remark(system: System, question: Question, answer: Answer) -> Answer:
-    """With what is to be said where what comes together on the way to an event is nothing."""
-    if question.quantity.scope != "course" or answer.expression != ZERO:
-        return answer
-    remark = question.quantity.remark_on_zero(system)
-    return replace(answer, notes=(*answer.notes, remark)) if remark else answer
 
 
 def _without_gaps(system: System, answer: Answer) -> Answer:

@@ -1,4 +1,5 @@
-"""A string tied to the middle of a drum that turns there in a bearing: however it turns, it winds nothing up."""
+"""A string tied to the middle of a drum that turns there in a bearing, or of a disk that hangs by it alone: however it
+turns, it winds nothing up."""
 
 from __future__ import annotations
 
@@ -6,6 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, cast
 
 from freebody.language.sentences import Message
+from freebody.loads.gravity import Gravity
 from freebody.measures.displacement import Displacement
 from freebody.model.elements import RigidBody
 from freebody.study.model_warnings.base import ModelWarning, Opened, WarningKind
@@ -34,7 +36,9 @@ class TiedAtTheAxle(WarningKind, name="tied at the axle"):
 
         used = {place for _section, _name, way in ways for place in runs_round(way)}
         used |= {way.wound_on for _section, _name, way in ways if isinstance(way, HeavyRope) and way.wound_on}
-        drums = {b.name for b in system.moving if b.is_wheel and b.name not in used and _is_borne(system, b)}
+        wheels = [body for body in system.moving if body.is_wheel and body.name not in used]
+        drums = {body.name for body in wheels if _is_borne(system, body)}
+        hung = {body.name for body in wheels if not body.solid.is_ball and _hangs_by_one(system, body)}
         for section, name, way in ways:
             for end, field in is_tied_to(way):
                 if end in drums:
@@ -47,6 +51,23 @@ class TiedAtTheAxle(WarningKind, name="tied at the axle"):
                         wound=written.format(end),
                     )
                     yield self.warning(told, section, name, *field, about=frozenset((name, end)))
+                elif end in hung and not isinstance(way, HeavyRope) and getattr(way, "falls", 1) == 1:
+                    told = Message(
+                        "{string} is tied to the centre of {body}, so that nothing turns it. If it is wound on the "
+                        "rim, write {wound} in place of {body}; else {body}.center",
+                        string=name,
+                        body=end,
+                        wound=f"wound on {end}",
+                    )
+                    yield self.warning(told, section, name, *field, about=frozenset((name, end)))
+
+
+def _hangs_by_one(system: System, body: RigidBody) -> bool:
+    """Whether one connection holds a body, and nothing but its weight acts on it."""
+    joints = {row.connection for row in system.rows if body.name in set(row.measure.bodies())}
+    acting = {push.load for push in system.applied_loads if body.name in set(push.measure.bodies())}
+    is_heavy_alone = all(isinstance(system.loads.get(load), Gravity) for load in acting)
+    return len(joints) == 1 and is_heavy_alone and not body.start.moves
 
 
 def _is_borne(system: System, body: RigidBody, seen: frozenset[str] = frozenset()) -> bool:

@@ -24,6 +24,7 @@ from freebody.language.sentences import Message
 from freebody.system.reading.written.beams import with_beam
 from freebody.system.reading.written.bevels import complete_bevels, with_bevels
 from freebody.system.reading.written.cams import with_cam
+from freebody.system.reading.written.carriers import lengthen_carriers
 from freebody.system.reading.written.collisions import guide_what_collides
 from freebody.system.reading.written.dimensions import with_units_of_words
 from freebody.system.reading.written.distances import points_along_rods, with_distances
@@ -142,4 +143,5 @@ def _put_in_order(w: Written) -> None:
     complete_bevels(w)
     with_modules(w)
     bear_gears(w)
+    lengthen_carriers(w)
     place_axles(w)

@@ -10,6 +10,7 @@ from typing import Any, cast
 from freebody.connections.base import Connection
 from freebody.language.document.writer import flow_text
 from freebody.language.expression import ZERO, negate
+from freebody.language.folded import folded
 from freebody.language.sentences import Message, listed
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND, Components
@@ -30,6 +31,7 @@ from freebody.system.reading.source import Source, known_keys
 from freebody.system.reading.two_places import distance_of_ends
 
 _LIES = ("on", "lies_on", "rests_on")
+_ROLLS = ("rolls_on", "rolling_on", "rolls")
 _FLAT = ("floor", "table", "road", "street", "Boden", "Tisch", "Fahrbahn")
 _ENDS_IN_WORDS = {"von": "from", "nach": "to", "start": "from", "end": "to"}
 _SHOWN = 4  # of shapes that fit
@@ -314,7 +316,12 @@ class BodySections:
                     hint = Message(" A body is massless where no mass is given, as in {{disk: {{radius: 0.1 m}}}}.")
                 if key == "angle":
                     hint = Message(" In space write how it is turned, e.g. turned: 30 deg about z.")
-                if key in _LIES:
+                if folded(key) in _ROLLS:
+                    hint = Message(
+                        " How it rolls is a connection: connections: {{{entry}}}",
+                        entry=flow_text({f"{name}_on_{value}": {"rolling": {"body": name, "on": value}}})[1:-1],
+                    )
+                elif key in _LIES:
                     where = {"between": [name, value]}
                     hint = Message(
                         " Where it lies is a connection: connections: {{{entry}}}",

@@ -103,7 +103,10 @@ class Faults:
                 kind=following,
             )
         if name in kinds:
-            example = fields_of_example(kinds[name], self.data) if value is None else value
+            is_sentence = (
+                isinstance(value, str) and value[:1].isalpha() and " " in value and len(kinds[name].model_fields) > 1
+            )
+            example = fields_of_example(kinds[name], self.data) if value is None or is_sentence else value
             return Message(
                 "give it a name of its own beside its kind, e.g. my_{name}: {{{name}: {value}}}",
                 name=name,

@@ -101,9 +101,6 @@ def _no_section(key: str, value: Any, empty: str = "") -> Message:
     if _meant(key) is None and _is_body(key, value) and empty != "bodies":
         entry = flow_text({"bodies": {key: value}})
         return Message("{key} is a body, which stands under bodies: {entry}", key=key, entry=entry)
-    begun, space, rest = key.partition(" ")
-    if space and begun in SECTIONS and rest.startswith("{"):
-        return Message("a colon is missing after {name}: {name}: {rest}", name=begun, rest="{...}")
     if empty in SECTIONS and _meant(key) is None:
         return Message(
             "{key} is not indented, so that {section} is empty: begin the line of {key} with two spaces",

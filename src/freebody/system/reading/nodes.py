@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from collections.abc import Collection
+
 from freebody.connections.base import Connection
 from freebody.language.sentences import Message
 from freebody.system.reading.sections import CLOSES
@@ -10,6 +12,8 @@ from freebody.system.reading.source import Source
 
 def with_pins_of_nodes(source: Source, connections: dict[str, Connection]) -> dict[str, Connection]:
     """The connections, with the pins of the further bodies of every node beside the first one."""
+    bodies = source.names.bodies
+    connections = {name: _with_plain_names(connection, bodies) for name, connection in connections.items()}
     if not any(getattr(connection, "further", ()) for connection in connections.values()):
         return connections
     from freebody.connections.pin import Pin  # imported where a model has one
@@ -31,6 +35,18 @@ def with_pins_of_nodes(source: Source, connections: dict[str, Connection]) -> di
         )
         source.names.assumptions.append(told)
     return found
+
+
+def _with_plain_names(connection: Connection, bodies: Collection[str]) -> Connection:
+    """A pin with bodies by their plain names among the further ones, `pin: [A, rod.start, block]`: by position the
+    third would be its friction."""
+    said = [(field, getattr(connection, field, None)) for field in ("friction", "radius")]
+    named = {field: str(value) for field, value in said if isinstance(value, str) and value in bodies}
+    if not named or not hasattr(connection, "further"):
+        return connection
+    further = (*named.values(), *getattr(connection, "further", ()))
+    defaults = {field: type(connection).model_fields[field].default for field in named}
+    return connection.model_copy(update={"further": further, **defaults})
 
 
 def _look_at(source: Source, name: str, taken: set[str]) -> None:

@@ -16,6 +16,8 @@ from freebody.language.units import (
     DIMENSIONLESS,
     FORCE,
     IMPULSE,
+    INERTIA,
+    MASS,
     TIME,
     TORQUE,
     VELOCITY,
@@ -34,6 +36,7 @@ from freebody.system.reading.source import Source, known_keys
 
 _RIGHT_ANGLE = math.pi / 2
 _VALUE = re.compile(r"\s*[+-]?[\d.]+([eE][+-]?\d+)?\s+[^\W\d]")  # with its unit, behind a space
+_NEVER_NEGATIVE = {MASS: Message("a mass"), INERTIA: Message("a moment of inertia")}
 _WORD = re.compile(r"[^\W\d]\w*")
 
 
@@ -179,14 +182,20 @@ def read_parameter(names: Names, name: str, value: Any) -> Parameter:
         told = Message("{name} = {value} is negative, so that formulas let it have either sign", name=name, value=value)
         names.assumptions.append(told)
     if sign == "positive" and quantity.value <= 0:
-        names.problem(
-            Message(
-                "{name} = {value} is not positive; parameters are positive unless the model says otherwise: {example}",
+        told = Message(
+            "{name} = {value} is not positive; parameters are positive unless the model says otherwise: {example}",
+            name=name,
+            value=value,
+            example=f"{name}: {{value: {value}, sign: any}}",
+        )
+        if quantity.value < 0 and quantity.dimension in _NEVER_NEGATIVE:
+            told = Message(
+                "{what} is never negative, {name} = {value} is",
+                what=_NEVER_NEGATIVE[quantity.dimension],
                 name=name,
                 value=value,
-                example=f"{name}: {{value: {value}, sign: any}}",
             )
-        )
+        names.problem(told)
     if sign == "nonnegative" and quantity.value < 0:
         names.problem(
             Message("{name} = {value} is negative, but its sign is given as nonnegative", name=name, value=value)

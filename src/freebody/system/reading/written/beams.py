@@ -3,7 +3,8 @@
     beam: {length: 6 m}
     supports: [{type: pin, at: 0}, {type: roller, at: 5 m}]          also {A: {pin: 0 m}, B: {roller: 5 m}}
     loads: [{type: distributed, from: 0, to: 3 m, value: q}, {type: point, at: 6 m, value: F}, {type: moment, ...}]
-                                                                     also {P: F, x: 6 m}, {w: q, from: 0, to: 3 m}
+                                                                     also {P: F, x: 6 m}, {w: q, from: 0, to: 3 m},
+                                                                     {F: 5 kN at 6 m}, {q: 2 kN/m from 0 to 3 m}
 
     supports: {A: 0, B: 6 m}                                         the first one a pin, the others rollers
     beam: {length: 8 m, hinges: [5 m]}                               rods beam_1, beam_2 that are hinged (beam_parts.py)
@@ -30,7 +31,8 @@ from freebody.system.reading.sections import SAYS_KIND
 from freebody.system.reading.written.beam_parts import HINGES, Parts
 from freebody.system.reading.written.dimensions import dimension_said, value_said
 from freebody.system.reading.written.form import SAYS_NAME, Entry, Vocabulary, Written
-from freebody.system.reading.written.numbers_given import wrong_unit
+from freebody.system.reading.written.numbers_given import weigh, wrong_unit
+from freebody.tolerances import ROUNDED
 
 _BEAMS = ("beam", "balken", "traeger", "girder")
 _SUPPORTS = ("supports", "lager", "auflager")
@@ -46,6 +48,10 @@ _POINTS = ("point", "force", "point_load", "point_force", "concentrated", "kraft
 _SPREAD = ("distributed", "distributed_load", "uniform", "udl", "uniform_load", "line_load", "streckenlast")
 _COUPLES = ("moment", "couple", "torque", "drehmoment")
 _SUPPORTED = re.compile(r"(?P<type>[\w ]+?) (?:at|bei) (?P<at>.+)")
+_SAID = re.compile(
+    r"(?P<value>\S.*?)(?: (?P<direction>up|down|upwards|downwards))?"
+    r"(?: (?:at|bei) (?:x ?= ?)?(?P<at>\S.*)| (?:from|von) (?P<from>\S.*?) (?:to|bis) (?P<to>\S.*))"
+)
 _AT = ("at", "x", "position", "distance", "pos", "location", "a")
 _SIZES = ("value", "magnitude", "force", "moment", "load", "intensity", "q", "w", "F", "M", "P", "size")
 
@@ -84,13 +90,15 @@ def with_beam(w: Written) -> None:
         beam.parts = Parts(w, beam.name, str(length), fields.get(hinge), hinge)
     if not (able and beam.supports(w.data.get(at), at) and beam.loads(w.data.get(on), on)):
         return
-    masses = [fields[key] for key in _MASS if key in fields]
+    masses = [fields[key] for key in _MASS if key in fields and value_said(w, fields[key]) != 0]
     beam.connections |= beam.parts.joints()
     bodies = beam.parts.bodies(masses[0] if masses else None)
     rest = {key: value for key, value in w.data.items() if key not in (beam.name, at, on)}
     ground = {"ground": {"points": beam.ground}} if beam.ground else {}
     w.data = {**rest, **ground, "bodies": bodies, "connections": beam.connections}
     w.data |= {"loads": beam.pushed} if beam.pushed else {}
+    if masses:
+        weigh(w)
     w.moved |= {**{("bodies", name): (beam.name,) for name in bodies}, **beam.moved}
     w.moved |= {("connections", name): (beam.name, hinge) for name in beam.parts.hinges}
     w.assumed.append(
@@ -150,7 +158,7 @@ class _Beam:
                     "say how it holds and where: {name}: {{pin: 0 m}}, or roller, or fixed", name=said or "A"
                 )
                 self.w.refuse(told, section, step)
-            self._check_place(at, section, step)
+            self._check_place(at, name, section, step)
             point, there = self.parts.point(name, at), f"ground.{name}"
             self.ground[name] = [at, 0]
             if word in _ROLLERS:
@@ -170,12 +178,13 @@ class _Beam:
     def loads(self, given: Any, section: str) -> bool:
         """Whether all loads could be read. Raises ModelError where one says what no load of a beam does."""
         for k, (step, said, fields) in enumerate(_items(given), 1):
+            fields = self._in_words(given[step]) or fields
             size = _one(fields, _SIZES) or _varying(fields)
             word = _kind(fields) or self._by_unit(size)
             name = said or (f"{word}_{k}" if word else f"load_{k}")
             if word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
                 for words in (_AT, *_FROM.values()):
-                    self._check_place(_one(fields, words), section, step)
+                    self._check_place(_one(fields, words), name, section, step)
             known = (*SAYS_KIND, *_SIZES, *_AT, *_WAY, *_FROM["from"], *_FROM["to"])
             strange = [key for key in fields if key not in known and not isinstance(fields[key], dict)]
             if strange and word in (*_POINTS, *_SPREAD, *_COUPLES) and not self.is_of_points(given[step]):
@@ -215,10 +224,29 @@ class _Beam:
             return {name: {"torque": {"on": point, "magnitude": size, **turned}}}
         return {}
 
-    def _check_place(self, at: Any, *place: str | int) -> None:
-        """Raises ModelError where a distance from the left end has no unit, or another one."""
-        if at is not None and str(at) != "0" and (why := wrong_unit(self.w, "at", at, LENGTH)) is not None:
+    def _check_place(self, at: Any, name: str, *place: str | int) -> None:
+        """Raises ModelError where a distance from the left end has no unit, or another one, or leads off the beam."""
+        if at is None:
+            return
+        if str(at) != "0" and (why := wrong_unit(self.w, "at", at, LENGTH)) is not None:
             self.w.refuse(why, *place)
+        there, whole = value_said(self.w, at), value_said(self.w, self.length)
+        if there is None or whole is None or 0.0 <= there <= whole * (1.0 + ROUNDED):
+            return
+        told = Message(
+            "{name} is at {at}, which is not on {beam}: places count from its left end, from 0 to {length}",
+            name=name,
+            at=str(at),
+            beam=self.name,
+            length=self.length,
+        )
+        self.w.refuse(told, *place)
+
+    def _in_words(self, given: Any) -> Entry:
+        """`5 kN at 6 m`, `2 kN/m from 0 to 3 m`; nothing where the unit says no load, or no place stands there."""
+        found = _SAID.fullmatch(given.strip()) if isinstance(given, str) else None
+        fields = {} if found is None else {key: each for key, each in found.groupdict().items() if each}
+        return fields if fields and self._by_unit(fields["value"]) is not None else {}
 
     def _by_unit(self, size: Any) -> str | None:
         """`{P: 10 kN, x: 2 m}`, `{w: 2 kN/m, from: 3 m, to: 6 m}`: the unit says what a load is."""

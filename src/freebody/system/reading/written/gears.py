@@ -54,8 +54,8 @@ def place_axles(w: Written) -> None:
         return
     ground = w.data.get("ground") or {}
     given = cast("Entry", ground).get("points") or {} if isinstance(ground, dict) else None
-    radii = dict(_radii(w))
-    axles = {gear: point for gear, point in _axles(w) if gear in radii}
+    radii = dict(radii_of(w))
+    axles = {gear: point for gear, point in axles_of(w) if gear in radii}
     if isinstance(given, list) and {*map(str, cast("list[Any]", given))} == {*axles.values()}:
         given = {}  # names without places
     if not isinstance(given, dict) or len({*axles.values()}) < max(2, len(axles)):
@@ -80,7 +80,7 @@ def _side_by_side(
     """By the gears whose axles are on the ground, where each is, to the right of one with which it meshes; None where
     the train is closed or in two parts, so that more than the radii tells the places."""
     places = {gear: known[point] for gear, point in axles.items() if _is_place(known.get(point))}
-    pairs = [(a, b, internal) for a, b, internal in _meshing(w) if {a, b} <= axles.keys()]
+    pairs = [(a, b, internal) for a, b, internal in meshing(w) if {a, b} <= axles.keys()]
     if not places and pairs:
         places[pairs[0][0]] = ["0", 0]
     told = {*places}
@@ -104,16 +104,16 @@ def bear_gears(w: Written) -> None:
     """Gives gears of a train whose axles nothing carries bearings of their own, each at its place."""
     if w.space or not are_mappings(w, "ground", "bodies", "connections"):
         return
-    meshes = [*_meshing(w)]
+    meshes = [*meshing(w)]
     gears = list(dict.fromkeys(name for first, second, _internal in meshes for name in (first, second)))
-    known, bodies = dict(_radii(w)), cast("Entry", w.data.get("bodies") or {})
+    known, bodies = dict(radii_of(w)), cast("Entry", w.data.get("bodies") or {})
     ground = cast("Entry", w.data.get("ground") or {})
     if not {*gears} <= known.keys():
         return
-    carrying = [fields for kind, fields in _joining(w) if kind not in (*_LOOSE, _WELD)]
+    carrying = [fields for kind, fields in joining(w) if kind not in (*_LOOSE, _WELD)]
     shafts = [[gear, *_welded(w, gear)] for gear in gears]
     loose = [s for s in shafts if not any(_is_fixed(bodies[body]) or _is_named(body, carrying) for body in s)]
-    borne = {*(gear for gear, _point in _axles(w)), *(body for shaft in loose for body in shaft)}
+    borne = {*(gear for gear, _point in axles_of(w)), *(body for shaft in loose for body in shaft)}
     borne |= {
         body for shaft in shafts if any(_is_fixed(bodies[each]) or each in borne for each in shaft) for body in shaft
     }
@@ -150,7 +150,7 @@ def _is_planet(gear: str, meshes: list[tuple[str, str, bool]]) -> bool:
 def _turn_beside(w: Written, train: set[str]) -> bool:
     """Whether other bodies turn about a bearing of a train: are pinned to the middle of a gear, or where one is."""
     bodies = cast("Entry", w.data.get("bodies") or {})
-    pins = [_ends(w, fields) for kind, fields in _joining(w) if kind == _PIN]
+    pins = [_ends(w, fields) for kind, fields in joining(w) if kind == _PIN]
     middles = {*train, *(f"{name}.center" for name in train)}
     axles = middles | {end for ends in pins if {*ends} & middles for end in ends}
     others = {name for name, entry in bodies.items() if name not in train and not _is_fixed(entry)}
@@ -180,7 +180,7 @@ def _is_fixed(entry: Any) -> bool:
 def _welded(w: Written, gear: str) -> list[str]:
     """The bodies on one shaft with a gear: welded to it, or to what is."""
     bodies = [*cast("Entry", w.data.get("bodies") or {})]
-    welds = [fields for kind, fields in _joining(w) if kind == _WELD]
+    welds = [fields for kind, fields in joining(w) if kind == _WELD]
     shaft = [gear]
     for body in shaft:
         for fields in welds:
@@ -199,7 +199,7 @@ def _own_points(w: Written) -> set[str]:
     return {*re.findall(r"\bground\.(\w+)", texts)}
 
 
-def _radii(w: Written) -> Iterator[tuple[str, str]]:
+def radii_of(w: Written) -> Iterator[tuple[str, str]]:
     """The radii of gears, as formulas."""
     bodies = w.data.get("bodies")
     for name, entry in cast("Entry", bodies).items() if isinstance(bodies, dict) else ():
@@ -212,9 +212,9 @@ def _radii(w: Written) -> Iterator[tuple[str, str]]:
                 yield name, f"({fields['teeth']})*({fields['module']})/2"
 
 
-def _axles(w: Written) -> Iterator[tuple[str, str]]:
+def axles_of(w: Written) -> Iterator[tuple[str, str]]:
     """The bodies that are pinned to the ground by themselves, with the points there."""
-    for kind, fields in _joining(w):
+    for kind, fields in joining(w):
         first, second = str(fields.get("first")), str(fields.get("second"))
         if second.startswith("ground."):
             first, second = second, first
@@ -223,16 +223,16 @@ def _axles(w: Written) -> Iterator[tuple[str, str]]:
             yield wheel, first.removeprefix("ground.")
 
 
-def _meshing(w: Written) -> Iterator[tuple[str, str, bool]]:
+def meshing(w: Written) -> Iterator[tuple[str, str, bool]]:
     """The gears that mesh, and whether one of them is a ring gear."""
     rings = {name for name, fields in _gears(w, every=True) if fields.get("internal") is True}
-    for kind, fields in _joining(w):
+    for kind, fields in joining(w):
         first, second = fields.get("first"), fields.get("second")
         if kind == _MESH and isinstance(first, str) and isinstance(second, str):
             yield first, second, fields.get("internal") is True or bool(rings & {first, second})
 
 
-def _joining(w: Written) -> Iterator[tuple[str, Entry]]:
+def joining(w: Written) -> Iterator[tuple[str, Entry]]:
     """The connections of the plane: the kind and the fields of each."""
     connections = w.data.get("connections")
     for entry in cast("Entry", connections).values() if isinstance(connections, dict) else ():

@@ -80,9 +80,7 @@ def lead_what_is_on(w: Written) -> None:
             continue
         read = {led if key == _ON else key: each for key, each in fields.items()}
         w.data["connections"] = {**w.data["connections"], name: {**connections[name], word: read}}
-        w.assumed.append(
-            Message("{name} says no body that is guided on {body}: {body} is guided", name=name, body=body)
-        )
+        w.assumed.append(Message("{name} guides {body}, along a line of the ground", name=name, body=body))
 
 
 def _held(name: str, entry: Entry, shape: type[Spec], connections: Entry) -> dict[str, tuple[str, Entry, Entry]]:

@@ -6,8 +6,9 @@
 
 Where all springs are relaxed the masses stand one behind the other, so far apart as the springs are long: l_spring is a
 parameter without a value, which drops out of what depends on displacements alone. The first mass is at the origin
-there, so that its x is its displacement. Sources: Thomson, Theory of Vibration, sec. 2.2; Meirovitch, Fundamentals of
-Vibrations, ch. 5.
+there, so that its x is its displacement. What lies or rolls on a level line has its middle at its height above that,
+and so have the springs, where it is the same for all masses. Sources: Thomson, Theory of Vibration, sec. 2.2;
+Meirovitch, Fundamentals of Vibrations, ch. 5.
 """
 
 from __future__ import annotations
@@ -19,12 +20,14 @@ from freebody.language.folded import folded
 from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.names import is_of_surroundings
+from freebody.model.spec import Spec
 from freebody.model.written_kinds import written_kind
 from freebody.system.reading.written.form import Entry, Written, are_mappings, kinds_of, shape_of
 from freebody.system.reading.written.pulleys import is_named
 
-_SPRING, _DAMPER, _GRAVITY, _SLIDER, _CONTACT = "spring", "damper", "gravity", "slider", "contact"
-_SHAPES = ("particle", "rectangle")
+_SPRING, _DAMPER, _GRAVITY = "spring", "damper", "gravity"
+_SLIDER, _CONTACT, _ROLLING = "slider", "contact", "rolling"
+_POINT, _BLOCK, _ROUND = "particle", "rectangle", "radius"  # two shapes, and the size of one that rolls
 _LENGTHS = ("length", "preload", "only")
 _PUT = ("at", "near", "angle", "fixed", "velocity", "points")
 _SECTIONS = ("connections", "ground", "parameters", "measures", "start")
@@ -55,7 +58,8 @@ def _pairs(w: Written, wanted: str) -> list[tuple[str, tuple[str, str] | None]]:
                 fields = kinds_of("loads")[kind].from_plain(value)
                 ends = fields.get("first"), fields.get("second")
                 is_plain = all(isinstance(end, str) for end in ends) and not fields.keys() & {*_LENGTHS}
-                found.append((name, (str(ends[0]), str(ends[1])) if is_plain else None))
+                first, second = (str(end).removesuffix(".center") for end in ends)
+                found.append((name, (first, second) if is_plain else None))
     return found
 
 
@@ -67,6 +71,7 @@ class _Chain:
         self.masses = [name for name in bodies if any(name in ends for ends in springs.values())]
         self.places: dict[str, list[str]] = {}  # the springs on the way from the first mass
         self.lengths: dict[str, str] = {}  # by the springs: the parameters
+        self.height: str | int | None = 0  # of all the middles
 
     def is_told(self) -> bool:
         """Whether all of it can be read so."""
@@ -81,6 +86,10 @@ class _Chain:
         guides = [self._is_guided(name) for name in self.masses]
         if None in guides or not all(_is_unplaced(self.bodies[name]) for name in self.masses):
             return False
+        heights = {self._height(name) for name in self.masses}
+        if None in heights or len(heights) > 1:
+            return False
+        self.height = heights.pop()
         is_pulled = any(self._kind(entry) == _GRAVITY for entry in cast("Entry", w.data["loads"]).values())
         if (is_pulled and not all(guides)) or self._measures_otherwise():
             return False
@@ -90,18 +99,47 @@ class _Chain:
         words = [*cast("Entry", entry).items()] if isinstance(entry, dict) else []
         return written_kind(words[0][0], words[0][1], kinds_of("loads"), space=False) if len(words) == 1 else None
 
+    def _held_by(self, name: str) -> list[Any]:
+        """The connections that name a mass."""
+        each = cast("Entry", self.w.data.get("connections") or {}).values()
+        return [entry for entry in each if is_named(name, {"": entry})]
+
+    def _kinds(self, holding: list[Any]) -> set[str | None]:
+        words = {word for each in holding for word in (each if isinstance(each, dict) else ())}
+        return {written_kind(word, None, kinds_of("connections"), space=False) for word in words}
+
     def _is_guided(self, name: str) -> bool | None:
         """Whether something guides a mass along a level line; None where it is held otherwise."""
-        holding = [
-            each for each in cast("Entry", self.w.data.get("connections") or {}).values() if is_named(name, {"": each})
-        ]
+        holding = self._held_by(name)
         if not holding:
             return False
         texts = [text for each in holding for text in re.findall(r"\w+", str(each))]
-        words = {word for each in holding for word in (each if isinstance(each, dict) else ())}
-        kinds = {written_kind(word, None, kinds_of("connections"), space=False) for word in words}
         is_level = len(holding) == 1 and bool({*_LEVEL} & {*texts})
-        return True if is_level and kinds <= {_SLIDER, _CONTACT} and "through" not in texts else None
+        able = {_SLIDER, _CONTACT, _ROLLING}
+        return True if is_level and self._kinds(holding) <= able and "through" not in texts else None
+
+    def _height(self, name: str) -> str | int | None:
+        """How high the middle of a mass is above what it lies on, the line through the origin; None where it is not
+        told, or where it is round and nothing leads it."""
+        entry = cast("Entry", self.bodies[name])
+        shape = cast("type[Spec]", shape_of(entry))
+        word = next(word for word in entry if written_kind(word, entry[word], kinds_of("bodies"), space=False))
+        sizes = shape.from_plain(entry[word])
+        kinds = self._kinds(self._held_by(name))
+        if _ROUND in shape.model_fields:
+            radius = sizes.get(_ROUND)
+            if kinds == {_SLIDER}:
+                return 0
+            return None if not kinds or radius is None or self._has_lines() else str(radius)
+        if shape.kind == _POINT or kinds <= {_SLIDER}:
+            return 0
+        height = sizes.get("height")
+        return None if height is None or self._has_lines() else f"({height})/2"
+
+    def _has_lines(self) -> bool:
+        """Whether the file has lines of its own, which may go through other points than the origin."""
+        ground = self.w.data.get("ground")
+        return bool(cast("Entry", ground).get("lines")) if isinstance(ground, dict) else ground is not None
 
     def _measures_otherwise(self) -> bool:
         """Whether the file measures from elsewhere, as from the wall."""
@@ -160,6 +198,8 @@ class _Chain:
             entry = cast("Entry", w.data["bodies"][name])
             if self.places[name]:
                 entry = {**entry, "at": self._at(name)}
+            elif self.height:  # where it is along the line the start may say
+                entry = {**entry, "near": {"at": self._at(name)}}
             w.data["bodies"] = {**w.data["bodies"], name: entry}
             if not self._is_guided(name):
                 held[f"guide_of_{name}"] = {_SLIDER: {"body": name, "along": "right"}}
@@ -180,7 +220,7 @@ class _Chain:
         w.assumed.append(told)
 
     def _at(self, name: str) -> list[Any]:
-        return [" + ".join(self.places[name]) or 0, 0]
+        return [" + ".join(self.places[name]) or 0, self.height]
 
     def _start(self, name: str) -> None:
         """Of a single mass: its displacement and its speed at the start, by the measure x."""
@@ -219,4 +259,5 @@ def _is_surroundings(w: Written, end: str) -> bool:
 
 def _is_unplaced(entry: Any) -> bool:
     shape = shape_of(entry)
-    return shape is not None and shape.kind in _SHAPES and not {*_PUT} & {*cast("Entry", entry)}
+    known = shape is not None and (shape.kind in (_POINT, _BLOCK) or _ROUND in shape.model_fields)
+    return known and not {*_PUT} & {*cast("Entry", entry)}

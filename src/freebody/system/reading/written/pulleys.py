@@ -1,7 +1,7 @@
 """Ropes over pulleys, of which a file says less than there is in the figure.
 
 rope: {from: block, over: pulley, to: weight}      connections: {axle_of_pulley: {pin: [ground.axle_of_pulley, pulley]}}
-    (nothing else holds the pulley)
+    (nothing else holds the pulley; one that the file does not know is a disk without mass)
 floor: {contact: [block, incline], mu: 0.2}        floor: {slider: {body: block, along: incline, friction: 0.2}}
     (a point mass that the rope pulls along the incline)
 rope: {from: drum, to: load}                       rope: {from: wound on drum, to: load}   (a drum on an axle)
@@ -23,10 +23,10 @@ from freebody.language.sentences import Message
 from freebody.measures.geometry import GROUND
 from freebody.model.names import is_of_surroundings
 from freebody.model.written_kinds import written_kind
-from freebody.system.reading.written.form import Entry, Written, are_mappings, shape_of
+from freebody.system.reading.written.form import Entry, Written, are_mappings, kinds_of, shape_of
 
 _ROPES = ("string", "heavy_rope", "belt", "chain", "gear_mesh", "rolling")
-_WELD = "weld"
+_WELD, _DISK = "weld", "disk"
 _STRING, _PIN, _CONTACT, _SLIDER, _POINT = "string", "pin", "contact", "slider", "particle"
 
 
@@ -39,9 +39,10 @@ def hold_pulleys(w: Written) -> None:
         return
     bodies, connections = cast("Entry", bodies), cast("Entry", connections)
     for string, fields in [*of_kind(connections, _STRING)]:
+        _add_pulleys(w, string, fields)
         _wind(w, string, fields)
         _add_ends(w, fields)
-    connections = cast("Entry", w.data["connections"])
+    bodies, connections = cast("Entry", w.data["bodies"]), cast("Entry", w.data["connections"])
     for string, fields in [*of_kind(connections, _STRING)]:
         ends = [str(fields.get(end, "")).partition(".")[0] for end in ("from", "to")]
         if not all(end in bodies for end in ends) or ends[0] == ends[1]:
@@ -55,6 +56,19 @@ def hold_pulleys(w: Written) -> None:
         if over:
             for end in ends:
                 _lead(w, string, end, over)
+
+
+def _add_pulleys(w: Written, string: str, fields: Entry) -> None:
+    """A pulley on the way of a rope between two bodies that the file names there alone, as the figure does."""
+    ends = [str(fields.get(end, "")).partition(".")[0] for end in ("from", "to")]
+    elsewhere = {name: each for name, each in w.data["connections"].items() if name != string}
+    elsewhere |= {key: w.data.get(key) for key in ("ground", "parameters")}
+    for name in _listed(fields.get("over")) if all(end in w.data["bodies"] for end in ends) else ():
+        is_pulley = written_kind(name, None, kinds_of("bodies"), space=False) == _DISK
+        if is_pulley and name not in w.data["bodies"] and not _is_word_of(name, elsewhere):
+            w.data["bodies"] = {**w.data["bodies"], name: {_DISK: None}}
+            w.moved["bodies", name] = w.stood(("connections", string))
+            w.assumed.append(Message("{name} is no body of the file: it is a disk without mass", name=name))
 
 
 def _add_ends(w: Written, fields: Entry) -> None:
@@ -202,6 +216,10 @@ def _is_round(entry: Any) -> bool:
 
 def is_named(body: str, entries: Entry) -> bool:
     return re.search(rf"(?<![\w.]){re.escape(body)}\b", str([*entries.values()])) is not None
+
+
+def _is_word_of(name: str, entries: Entry) -> bool:
+    return re.search(rf"\b{re.escape(name)}\b", str(entries)) is not None
 
 
 def _listed(value: Any) -> list[str]:

@@ -84,9 +84,18 @@ def _along(w: Written, body: str, *, line_too: bool) -> tuple[str, tuple[str, st
             line = touching[0] if len(touching) == 1 else way if fields.get("body") == body else None
             if line in w.data["bodies"]:
                 continue
-            if line is not None and (parts := _parts(str(line).removeprefix(f"{GROUND}."), lines)) is not None:
+            called = str(line).removeprefix(f"{GROUND}.")
+            is_point = line is not None and called not in lines and _is_no_direction(w, called)
+            if line is not None and not is_point and (parts := _parts(called, lines)) is not None:
                 found.append((str(line), parts))
     return found[0] if len(found) == 1 else None
+
+
+def _is_no_direction(w: Written, called: str) -> bool:
+    """Whether a name is neither a direction nor a parameter, which may be an angle: that of a point, or a slip."""
+    parameters = w.data.get("parameters")
+    known = {*_LEVEL, *_WAYS, *(cast("Entry", parameters) if isinstance(parameters, dict) else {})}
+    return called.isidentifier() and called not in known
 
 
 def _parts(line: str, lines: Entry) -> tuple[str, str] | None:
