@@ -43,7 +43,7 @@ class SteadyGlossary(Glossary):
     def __init__(self, setup: Setup, steady: SteadyMotion, solutions: Solutions | None) -> None:
         super().__init__(setup)
         self.steady, self.solutions = steady, solutions
-        self._found: list[list[World]] | None = None
+        self._found: list[dict[int, World]] | None = None
 
     def worlds(self, when: TrueWhen) -> Iterator[World]:
         if when == "event":
@@ -55,11 +55,11 @@ class SteadyGlossary(Glossary):
         """Steady motions with the root number k."""
         if self._found is None:
             self._found = []
-            for draw, snapshots in motions(self.setup, self.steady, self.solutions):
-                self._found.append([World(self, draw, draw.seen(s)) for s in snapshots])
+            for draw, found in motions(self.setup, self.steady, self.solutions):
+                self._found.append({k: World(self, draw, draw.seen(s)) for k, s in found.items()})
                 if len(self._found) == N_WORLDS:
                     break
-        return [row[k] for row in self._found if k < len(row)]
+        return [row[k] for row in self._found if k in row]
 
 
 @dataclass
