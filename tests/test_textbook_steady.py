@@ -6,7 +6,7 @@ from __future__ import annotations
 import pytest
 
 from freebody.language.notation import to_python
-from posed import is_formula, posed
+from posed import is_derived, is_formula, posed
 
 # Den Hartog, Mechanical Vibrations, ch. 3: bounce and pitch of a car on two equal springs
 BOUNCE_AND_PITCH = """
@@ -273,3 +273,9 @@ def test_places_are_told_where_the_drive_is_too_slow_for_one_of_them() -> None:
     assert found.evidence is not None
     assert isinstance(found.expression, tuple)
     assert to_python(found.expression[2]) == "acos(g*(m + M)/(m*L*Omega**2))"
+
+
+def test_a_length_is_told_by_the_angle_that_is_steady() -> None:
+    told = is_derived(DRIVEN_GOVERNOR.replace("9 rad", "16 rad"), "value of Omega for which s = L in steady motion")
+    assert "2·L·cos(θ)" in told["en"]
+    assert "Gesucht ist 2·L·cos(θ)" in told["de"]
