@@ -49,6 +49,9 @@ FORMULAS = {
     "the angle at a distance": (PLANET, "phi when r = r_1", f"acos(({P}/r_1 - 1)/({P}/r_0 - 1))"),
     "the angle at the turn": (PLANET, "phi when r turns back", "pi"),
     "an ellipse about its middle": (SPRING, "phi when r = r_1", f"acos(sqrt((1/r_1^2 - {U})/(1/r_0^2 - {U})))"),
+    "twice to and fro in one turn": (SPRING, "period of r", "pi*sqrt(m/k)"),
+    # r^2 = r_0^2 cos^2 + (v_0^2 m/k) sin^2
+    "the time on it": (SPRING, "time when r = r_1", "sqrt(m/k)*asin(sqrt((r_0^2 - r_1^2)/(r_0^2 - v_0^2*m/k)))"),
     "the distance from its middle": (SPRING, "r when phi = 60 deg", f"1/sqrt((1/r_0^2 + 3*{U})/4)"),
     "a fall": (FALLING, "time when r = r_1", "sqrt(r_0^3/(2*mu))*(acos(sqrt(r_1/r_0)) + sqrt(r_1/r_0*(1 - r_1/r_0)))"),
 }
@@ -77,6 +80,12 @@ def test_an_orbit_is_told_by_binets_equation(question: str) -> None:
     assert "Binet" in is_derived(PLANET, question)["en"]
 
 
-@pytest.mark.parametrize("question", ["period of r", "time when r = 5 m"])
-def test_the_time_on_an_orbit_is_told(question: str) -> None:
-    assert "η" in is_derived(PLANET, question)["en"]
+@pytest.mark.parametrize(
+    ("model", "question"), [(PLANET, "period of r"), (PLANET, "time when r = 5 m"), (SPRING, "period of r")]
+)
+def test_the_time_on_an_orbit_is_told(model: str, question: str) -> None:
+    assert "η" in is_derived(model, question)["en"]
+
+
+def test_a_measure_to_ask_for_is_named() -> None:
+    assert "period of r" in posed(SPRING, "period of the motion").reason

@@ -14,7 +14,7 @@ from freebody.api import System
 from freebody.errors import ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
 from freebody.language.parser import parse
-from posed import posed
+from posed import is_formula, posed
 
 ATWOOD = """
 parameters: {m1: 3 kg, m2: 2 kg, M: 1 kg, R: 0.1 m, g: 9.81 m/s^2}
@@ -120,6 +120,31 @@ def test_what_grows_without_bound_is_called_so(model: str, question: str, words:
     found = posed(model, question)
     assert found.expression is None
     assert words in found.reason
+
+
+TWO_MASSES = """
+parameters: {m1: 20 kg, m2: 2 kg, k1: 8 kN/m, k2: 600 N/m}
+bodies: {A: {particle: {mass: m1}}, B: {particle: {mass: m2}}}
+connections: {a: {slider: {body: A, along: right}}, b: {slider: {body: B, along: right}}}
+measures: {x1: x of A, x2: x of B}
+loads:
+  s1: {law: {measure: x1, force: -k1*x1}}
+  s2: {law: {measure: {expression: x2 - x1}, force: -k2*(x2 - x1)}}
+start: {x1: 0, x2: 0}
+"""
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        # the roots of the characteristic polynomial cancel each other there
+        ("lowest natural frequency as k2 grows", "sqrt(k1/(m1 + m2))"),
+        ("lowest natural frequency as m2 -> 0", "sqrt(k1/m1)"),
+        ("highest natural frequency as m1 grows", "sqrt(k2/m2)"),
+    ],
+)
+def test_a_frequency_whose_parts_cancel_has_a_limit(question: str, formula: str) -> None:
+    is_formula(TWO_MASSES, question, formula)
 
 
 def test_the_time_still_grows() -> None:

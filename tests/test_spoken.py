@@ -683,6 +683,12 @@ def test_a_word_that_nothing_is_known_of_is_told(said: str, strange: str) -> Non
         example("atwood_machine").question(said)
 
 
+def test_no_word_of_a_rule_is_told_as_one_that_was_typed() -> None:
+    with pytest.raises(ModelError) as error:
+        example("atwood_machine").question("how many oscillations until the amplitude is 10 %")
+    assert "decayswings" not in str(error.value)
+
+
 def test_a_force_on_a_body_on_which_a_connection_does_not_act_is_refused() -> None:
     system = fb.System.from_text(
         """

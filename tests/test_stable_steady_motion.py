@@ -190,3 +190,17 @@ def test_a_top_that_leans_precesses_steadily_above_a_spin(question: str) -> None
 def test_a_top_that_hangs_precesses_steadily_with_any_spin() -> None:
     """Below a right angle cos(theta) < 0, and the roots are real."""
     assert "for every" in posed(LEANING, "range of n for which the steady motion exists when theta = 120 deg").reason
+
+
+@pytest.mark.parametrize(
+    ("question", "fast"),
+    [
+        ("range of Omega for which the steady motion exists", True),
+        ("range of g for which there is no steady motion", False),
+    ],
+)
+def test_a_bead_leaves_the_bottom_of_the_hoop_above_a_speed(question: str, fast: bool) -> None:
+    """Omega^2 R cos(theta) = g: the bottom itself, where it rests at every speed, is not meant."""
+    answer = posed(HOOP, question)
+    assert answer.value == pytest.approx(math.sqrt(9.81 / 0.5) if fast else 36 * 0.5)
+    assert any("left out" in note for note in answer.notes)

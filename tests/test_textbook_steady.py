@@ -5,7 +5,8 @@ from __future__ import annotations
 
 import pytest
 
-from posed import is_formula
+from freebody.language.notation import to_python
+from posed import is_derived, is_formula, posed
 
 # Den Hartog, Mechanical Vibrations, ch. 3: bounce and pitch of a car on two equal springs
 BOUNCE_AND_PITCH = """
@@ -47,6 +48,37 @@ connections:
 loads: {weight: {gravity: g}}
 start: {psi: 0, rate(psi): Omega, gamma: 90 deg - beta}
 """
+# the same with a link and a drive: the height of the sleeve follows through s (2 L cos(theta) - s) = 0
+DRIVEN_GOVERNOR = """
+space: {up: z}
+parameters: {m: 1.2 kg, M: 3 kg, L: 0.25 m, Omega: 9 rad/s, g: 9.81 m/s^2}
+bodies:
+  spindle: {body: {}}
+  arm_1: {body: {}, points: {end: [0, 0, -L]}, turned: [theta about y], frame: spindle}
+  arm_2: {body: {}, points: {end: [0, 0, -L]}}
+  ball_1: {particle: {mass: m}}
+  ball_2: {particle: {mass: m}}
+  sleeve: {particle: {mass: M}, near: {at: [0, 0, -0.4 m]}}
+connections:
+  axle: {revolute: {first: ground.O, second: spindle, about: z}}
+  motor: {driver: {measure: psi, follows: Omega*t}}
+  h1: {revolute: {first: spindle, second: arm_1, about: y}}
+  h2: {revolute: {first: spindle, second: arm_2, about: y}}
+  same: {constraint: th1 + th2}
+  b1: {weld: [arm_1.end, ball_1]}
+  b2: {weld: [arm_2.end, ball_2]}
+  guide: {point_on_line: {point: sleeve, through: ground.O, along: z}}
+  link_1: {link: [arm_1.end, sleeve, L]}
+loads: {weight: {gravity: g}}
+measures:
+  psi: angle of spindle about z
+  th1: angle of arm_1 about y relative to spindle
+  th2: angle of arm_2 about y relative to spindle
+  s: drop of sleeve below ground.O
+start: {theta: 40 deg}
+"""
+# the sleeve sits at the hinges, where the link is an arm turned back: it has no part
+SLEEVE_AT_THE_HINGE = DRIVEN_GOVERNOR.replace(", near: {at: [0, 0, -0.4 m]}", "")
 # Hibbeler, Dynamics, ch. 22: a metronome
 METRONOME = """
 parameters: {M: 0.05 kg, m: 0.02 kg, a: 0.04 m, b: 0.07 m, g: 9.81 m/s^2, T: 1 s}
@@ -212,3 +244,38 @@ start: {x: 0, rate(x): 0, phi: 0, rate(phi): 0}
 )
 def test_a_small_or_steady_motion_has_the_formula_of_its_derivation(model: str, question: str, formula: str) -> None:
     is_formula(model, question, formula)
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "formula"),
+    [
+        # h = L cos(theta): m h Omega^2 = (m + M) g
+        (
+            DRIVEN_GOVERNOR,
+            "value of Omega for which theta = 45 deg in steady motion",
+            "sqrt((m + M)*g*sqrt(2)/(m*L))",
+        ),
+        (DRIVEN_GOVERNOR, "value of Omega for which s = L in steady motion", "sqrt(2*(m + M)*g/(m*L))"),
+        (
+            SLEEVE_AT_THE_HINGE,
+            "value of Omega for which theta = 45 deg in steady motion",
+            "sqrt(g*sqrt(2)/L)",
+        ),
+    ],
+)
+def test_what_a_loop_binds_goes_along_with_the_place(model: str, question: str, formula: str) -> None:
+    is_formula(model, question, formula)
+
+
+def test_places_are_told_where_the_drive_is_too_slow_for_one_of_them() -> None:
+    # upright, hanging, and Omega^2 L cos(theta) m = (m + M) g, where the drive is fast enough
+    found = posed(DRIVEN_GOVERNOR, "theta in steady motion")
+    assert found.evidence is not None
+    assert isinstance(found.expression, tuple)
+    assert to_python(found.expression[2]) == "acos(g*(m + M)/(m*L*Omega**2))"
+
+
+def test_a_length_is_told_by_the_angle_that_is_steady() -> None:
+    told = is_derived(DRIVEN_GOVERNOR.replace("9 rad", "16 rad"), "value of Omega for which s = L in steady motion")
+    assert "2·L·cos(θ)" in told["en"]
+    assert "Gesucht ist 2·L·cos(θ)" in told["de"]

@@ -64,7 +64,7 @@ def guide(
     start = names.known(point.body).start
     origin, is_kept = Point(GROUND, (ZERO, ZERO), "ground.origin"), False
     if through is not None:
-        origin = names.point(through, "through")
+        origin = names.point(_of_slotted(names, through, direction.body), "through")
         _refuse_own_point(names, point, origin)
     elif line is not None:
         origin = line.through
@@ -83,6 +83,15 @@ def guide(
     across = Displacement(point, origin, direction.normal())
     kept = Combination(((ONE, across),), LENGTH) if is_kept else across
     return Guide(kept, Displacement(point, origin, direction))
+
+
+def _of_slotted(names: Names, through: str, slotted: str) -> str:
+    """A plain name is that of a point of the body with the slot, where it has one and neither a body nor a declared
+    point of the ground is called so."""
+    name = through.strip()
+    on_ground = {p for p in names.known(GROUND).points if p != "origin"}
+    is_plain = name not in names.bodies and name not in on_ground
+    return f"{slotted}.{name}" if is_plain and name in names.known(slotted).points else through
 
 
 def _refuse_own_point(names: Names, guided: Point, through: Point) -> None:

@@ -40,7 +40,7 @@ from freebody.tolerances import ROUND_OFF
 N_DRAWS = 6
 N_MORE = 3  # further ones at a time
 _TIME = 0.37  # an instant at which drivers are looked at
-_SAME = 1e-6  # of a length: less is no other sign
+SAME_PLACE = 1e-6  # of a length: less is no other sign
 _STILL = 1e-8  # of the slope of a measure: less along all free motions is no change
 
 _MOST_TERMS = 60  # of a condition that is read, multiplied out
@@ -348,10 +348,10 @@ def _is_on_branch(model: SymbolicModel, draw: Draw, snapshot: Snapshot) -> bool:
     except NoValue:
         return False
     lengths = [m for m in model.system.measures.values() if m.dimension == LENGTH]
-    return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in (*lengths, *_places(model)))
+    return all(_is_as_in_formulas(model, numbers, snapshot, m) for m in (*lengths, *places_of_bodies(model)))
 
 
-def _places(model: SymbolicModel) -> Iterator[Measure]:
+def places_of_bodies(model: SymbolicModel) -> Iterator[Measure]:
     """Where the bodies are: beyond the point from which a distance is counted, formulas have them on this side."""
     for body in model.system.moving:
         yield from (Displacement(body.mass_center, ORIGIN, along) for along in axes_of(model.system))
@@ -365,7 +365,7 @@ def _is_as_in_formulas(model: SymbolicModel, numbers: dict[int, Any], snapshot: 
         gap = abs(float(model.field.evaluate(model.value_of(length), numbers)) - value)
     except (CannotAnswer, ArithmeticError):
         return True  # it has no value there
-    return gap <= _SAME * max(snapshot.reference.sizes.length, abs(value))
+    return gap <= SAME_PLACE * max(snapshot.reference.sizes.length, abs(value))
 
 
 def held_in_blow(row: ConstraintRow) -> Message:

@@ -5,7 +5,9 @@ S = s0 + s1 q. Between the zeros of P, for a > 0 and D = b^2 + 4 a c,
 
 up to a constant; there and back takes 2 pi (s0 + s1 b/(2 a))/sqrt(a). So goes a body round a centre that attracts it
 with mu/r^2, where W = 2 E/m + 2 mu/r - h^2/r^2: Kepler's equation and his third law; h = 0 falls straight into it.
-Source: Landau & Lifshitz, Mechanics, 3rd ed. 1976, sec. 15.
+Where P is a polynomial in q^2 and S = s1 q it is so with u = q^2 and S = s1/2: round the middle of a spring, where W =
+2 E/m - k/m r^2 - h^2/r^2, r turns twice while the body goes round once.
+Source: Landau & Lifshitz, Mechanics, 3rd ed. 1976, sec. 14 and 15.
 """
 
 from __future__ import annotations
@@ -25,7 +27,7 @@ Need = tuple[Ratio, str]
 
 @dataclass(frozen=True)
 class AlgebraicTime:
-    """t(q) up to a constant, growing with q. root: of P at a place; below: S, by its two coefficients."""
+    """t(q) up to a constant, growing with q. root: of P at a place; below: S, by its two coefficients; n: by q^n."""
 
     a: Ratio
     b: Ratio
@@ -35,6 +37,7 @@ class AlgebraicTime:
     root: Callable[[Ratio], Ratio]
     arc: Callable[[Ratio], Ratio]
     needs: tuple[Need, ...]
+    n: int = 1
 
     @property
     def highest(self) -> Ratio:
@@ -47,7 +50,7 @@ class AlgebraicTime:
         return (self.below[0] + self.below[1] * self.b / (2 * self.a)) / self.root_of_a
 
     def _phi(self, place: Ratio) -> Ratio:
-        return self.arc(self.a.field.lowest_terms((2 * self.a * place - self.b) / self.spread))
+        return self.arc(self.a.field.lowest_terms((2 * self.a * place**self.n - self.b) / self.spread))
 
     def at(self, place: Ratio) -> Ratio:
         return self.a.field.lowest_terms(self.rate * self._phi(place) - self.below[1] * self.root(place) / self.a)
@@ -63,6 +66,8 @@ class AlgebraicTime:
     def told(self, place: Ratio) -> tuple[str, dict[str, Ratio]]:
         """The key of the sentence that tells it, and what stands in it; sqrt(P) is S |u|."""
         f, (s0, s1) = self.a.field, self.below
+        if self.n == 2:
+            return "course.algebraic_square", {"phi": self._phi(place), "scale": self.rate}
         share = f.lowest_terms(s1 * (s0 + s1 * place) / self.a)
         return "course.algebraic", {"phi": self._phi(place), "scale": self.rate, "share": share}
 
@@ -82,7 +87,11 @@ def algebraic_time(model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio
             below = below * base ** ((exponent + 1) // 2)
             above = above * base ** (exponent % 2)
     rest = f.lowest_terms(square * below**2 / above)  # of the divisor, what does not change
-    parts, s = above.numerator().coefficients(index), below.coefficients(index)
+    parts, s, n = above.numerator().coefficients(index), below.coefficients(index), 1
+    if len(parts) == 5 and len(s) == 2 and all(x.is_zero() for x in (parts[1], parts[3], s[0])):
+        if not model.samples.at_starts(q0)[0] > 0:
+            return None
+        parts, s, n = parts[::2], [s[1] / 2, f.zero], 2
     if len(parts) != 3 or len(s) != 2:
         return None
     a, b, constant = -parts[2] * rest, parts[1] * rest, parts[0] * rest
@@ -110,4 +119,5 @@ def algebraic_time(model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio
         root,
         functions(f, is_negative)["asin"],
         tuple(needs),
+        n,
     )

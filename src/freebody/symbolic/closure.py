@@ -140,12 +140,19 @@ class Closure:
         if parts is None or len(parts) != 3:
             return None
         f, (c, half, a) = self.field, (parts[0], parts[1] / 2, parts[2])
+        if c.is_zero() and (is_zero := self._starts_at_zero(d)) is not None:
+            return (f.zero if is_zero else f.lowest_terms(-parts[1] / a)), f.one
         if half.is_zero():
             square = f.lowest_terms(-c / a)
             return self.side(f.variable(d.index)) * f.sqrt(square), square
         square = f.lowest_terms(half * half - a * c)
         root = self.side(a * f.variable(d.index) + half) * f.sqrt(square)
         return f.lowest_terms((root - half) / a), square
+
+    def _starts_at_zero(self, d: Coordinate) -> bool | None:
+        """Which factor of l (a l + b) = 0 vanishes, by where a length starts; None where starts differ."""
+        found = {abs(v) < ROUND_OFF for v in self.model.samples.start_numbers(d.index) if not math.isnan(v)}
+        return found.pop() if len(found) == 1 else None
 
     def _in_length(self, x: Ratio, d: Coordinate) -> list[Ratio] | None:
         """The coefficients of a polynomial in a length, from the constant one up."""

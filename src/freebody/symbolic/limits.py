@@ -152,7 +152,23 @@ class Approach:
             return f.zero
         if found.exponent % 2:
             raise _RootOfNothing(Message("a root of the parameter has no whole power there"))
-        return f.sqrt(radicand, self._is_negative)
+        cancels = self._first(radicand.numerator())[1] > 0
+        return f.sqrt(self._rationalised(radicand) if cancels else radicand, self._is_negative)
+
+    def _rationalised(self, x: Ratio) -> Ratio:
+        """What vanishes since a + b r does, with a root r: by (a^2 - b^2 r^2)/(a - b r), of which the powers of d come
+        out of the root."""
+        f, d = self.model.field, self.model.field.index(self.small)
+        for g in sorted(x.generators()):
+            generator, parts = f.generators[g], x.numerator().coefficients(g)
+            if generator.kind != "root" or d not in generator.made_of or len(parts) != 2:
+                continue
+            a, b = parts
+            other = self._leading(a - b * f.variable(g))
+            first = self._leading(a)
+            if first is not None and other is not None and other.exponent == first.exponent:
+                return f.lowest_terms((a * a - b * b * f.radicand(g)) / ((a - b * f.variable(g)) * x.denominator()))
+        return x
 
     def _is_negative(self, x: Ratio) -> bool:
         found = self._leading(x)

@@ -188,8 +188,8 @@ class SymbolicModel:
 
     @property
     def loops(self) -> tuple[RowEquation, ...]:
-        """Equations among the coordinates that remain: the closed loops."""
-        return tuple(self._choice.chosen.elimination.loops)
+        """Equations among the coordinates that remain: the closed loops, without those that follow from others."""
+        return tuple(e for e in self._choice.chosen.elimination.loops if not e.value.is_zero())
 
     @property
     def has_equal_angles(self) -> bool:

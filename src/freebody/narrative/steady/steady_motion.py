@@ -43,7 +43,7 @@ class SteadyGlossary(Glossary):
     def __init__(self, setup: Setup, steady: SteadyMotion, solutions: Solutions | None) -> None:
         super().__init__(setup)
         self.steady, self.solutions = steady, solutions
-        self._found: list[list[World]] | None = None
+        self._found: list[dict[int, World]] | None = None
 
     def worlds(self, when: TrueWhen) -> Iterator[World]:
         if when == "event":
@@ -55,11 +55,13 @@ class SteadyGlossary(Glossary):
         """Steady motions with the root number k."""
         if self._found is None:
             self._found = []
-            for draw, snapshots in motions(self.setup, self.steady, self.solutions):
-                self._found.append([World(self, draw, draw.seen(s)) for s in snapshots])
+            for draw, found in motions(self.setup, self.steady, self.solutions):
+                if self._found and len(found) < len(self._found[0]):
+                    break  # behind those with all roots
+                self._found.append({k: World(self, draw, draw.seen(s)) for k, s in found.items()})
                 if len(self._found) == N_WORLDS:
                     break
-        return [row[k] for row in self._found if k < len(row)]
+        return [row[k] for row in self._found if k in row]
 
 
 @dataclass
@@ -96,7 +98,7 @@ def tell_steady(context: Context, question: Question, answer: Answer, q: SteadyV
         else:
             symbol = Symbol(unknown.name) if is_place else rates_of(unknown.name, 1)
             assert solutions is not None
-            _roots(telling, script, glossary, symbol, solutions, conditions)
+            _roots(telling, script, glossary, q, symbol, solutions, conditions)
     return [*telling.script.stages, *script.stages]
 
 
@@ -140,6 +142,7 @@ def _roots(
     telling: _SteadyTelling,
     script: Script,
     glossary: SteadyGlossary,
+    q: SteadyValue,
     symbol: Expr,
     solutions: Solutions,
     uses: list[int],
@@ -161,9 +164,35 @@ def _roots(
         if note not in telling.answer.notes:  # which the result tells
             script.say("result.note", text=ready(note))
     line = script.line(*sides, why="steady.solved", args=args, uses=tuple(uses), when="event")
-    if sides[-1] != expression:
+    if unknown_of(telling.steady, q) is None and sides[-1] != expression:
+        _measured(telling, script, glossary, q, line)
+    elif sides[-1] != expression:
         given: dict[str, Argument] = {"lines": (line,)}
         script.line(sides[-1], expression, why="value.start", args=given, uses=(line,), when="start")
+
+
+def _measured(telling: _SteadyTelling, script: Script, glossary: SteadyGlossary, q: SteadyValue, line: int) -> None:
+    """What is asked by the places of a coordinate, each put into what tells it by that."""
+    context, expression = telling.context, telling.answer.expression
+    assert isinstance(expression, tuple)
+    assert q.of.watched is not None
+    measure = q.of.watched[0]
+    asked = Symbol(next((name for name, m in context.system.measures.items() if m == measure), "value"))
+    names = _names(context, asked, len(expression))
+    entries: list[tuple[Expr, Sentence, str]] = []
+    for k, name in enumerate(names):
+
+        def read(world: World, k: int = k) -> float:
+            own = next(w for w in glossary.of_root(k) if w.draw is world.draw)
+            return float(q.of.value(context.system, own.snapshot))
+
+        what = Sentence("steady.root", {"k": k + 1, "name": asked})
+        glossary.redefine(Meaning(name, what, read))
+        entries.append((name, what, ""))
+    script.add(Legend(tuple(entries)))
+    value = telling.steady.put_in(context.setup.model.value_of(measure))
+    args: dict[str, Argument] = {"lines": (line,), "value": tidy(value)}
+    script.line(tuple(names), expression, why="steady.measured", args=args, uses=(line,), when="event")
 
 
 def _root_symbols(

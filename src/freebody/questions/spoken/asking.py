@@ -133,13 +133,15 @@ def _is_of_force(clause: Clause) -> bool:
     return clause.has("quantity") and not clause.has("ask", "fast", "far")
 
 
-def _without_what_turns(names: Names, clause: Clause) -> Clause:
-    """Without `of the crank` behind `over a turn`, where a motor turns it."""
+def _without_what_turns(names: Names, clause: Clause) -> tuple[Clause, str]:
+    """Without `of the crank` behind `over a turn`, where a motor turns it, or `of theta`, which the turn is of."""
     words, turn = clause.words, Word("instant", "over a turn")
     k = words.index(turn) if turn in words else len(words)
     of, thing = [*words[k + 1 : k + 3], Word("", ""), Word("", "")][:2]
-    is_driver = of == Word("preposition", "of") and thing.what in lookup.turning(names) and len(clause.names) > 1
-    return Clause([*words[: k + 1], *words[k + 3 :]]) if is_driver else clause
+    is_driver = thing.what in lookup.turning(names) and len(clause.names) > 1
+    if of != Word("preposition", "of") or not (is_driver or thing.what in names.measures):
+        return clause, ""
+    return Clause([*words[: k + 1], *words[k + 3 :]]), "" if is_driver else f" of {thing.what}"
 
 
 def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
@@ -151,8 +153,10 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     if len(clause.all("quantity")) > 1 and clause.has("preposition", "and"):
         return  # the largest of one, and another
     whole = " over the motion" if clause.has("instant", "over the motion") else ""
-    whole = " over a turn" if clause.has("instant", "over a turn") else whole
-    clause = _without_what_turns(names, clause).without("instant", "over the motion", "over a turn")
+    is_turn = clause.has("instant", "over a turn")
+    clause, angle = _without_what_turns(names, clause)
+    whole = f" over a turn{angle}" if is_turn else whole
+    clause = clause.without("instant", "over the motion", "over a turn")
     [degree] = degrees
     clause = clause.without("verb", "reach", "move")
     goes = set(clause.all("verb")) <= {"slide", "roll", "turn", "rise", "fly"}

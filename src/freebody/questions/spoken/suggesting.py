@@ -135,7 +135,8 @@ def absent(elements: Elements, text: str) -> str:
 
 
 def not_understood(parameters: Iterable[str], elements: Elements, text: str) -> list[str]:
-    """The words of a text, as they are typed, that nothing is known of in the language that knows most of them."""
+    """The words of a text, as they are typed, that nothing is known of in the language that knows most of them; none
+    where these are words that rules put in place of what was typed."""
     found: list[set[str]] = []
     for language in languages():
         for way in islice(linked(elements, in_english_nouns(text, language, elements.taken)), MOST):
@@ -151,7 +152,7 @@ def not_understood(parameters: Iterable[str], elements: Elements, text: str) -> 
                 }
                 found.append(typed or strange)
     fewest = min(found, key=len, default=set[str]())
-    return [word for word in dict.fromkeys(re.findall(r"[^\W\d_][\w’'-]*", text)) if word in fewest] or sorted(fewest)
+    return [word for word in dict.fromkeys(re.findall(r"[^\W\d_][\w’'-]*", text)) if word in fewest]
 
 
 def _usual(names: Names, text: str, typed: list[str]) -> list[str]:

@@ -266,10 +266,11 @@ class QuestionSolver(FindingAtEvents):
             )
 
         if isinstance(q.of, ExistingSteadyMotion):
-            from freebody.study.steady.exists_for import existence
+            from freebody.study.steady.exists_for import existence, left_out
 
             formulas = existence(self.setup, self.question, q.parameter, is_so=q.of.is_so)
-            return solved_for(self.setup, self.question, formulas)
+            found = solved_for(self.setup, self.question, formulas)
+            return replace(found, notes=[*left_out(self.setup, self.question), *found.notes])
 
         if q.of.scope == "steady motion":
             from freebody.study.steady.place_for import at_place

@@ -120,7 +120,8 @@ def coordinate_of(setup: Setup, measure: Measure | None) -> Coordinate:
     model, f = setup.model, setup.model.field
     if measure is None:
         if len(model.coordinates) != 1:
-            raise CannotAnswer(Message("say of which measure: period of x"))
+            name = model.coordinates[0].name if model.coordinates else "x"
+            raise CannotAnswer(Message("say of which measure: period of {x}", x=name))
         return model.coordinates[0]
     if not model.coordinates:
         raise CannotAnswer(Message("there is no degree of freedom: nothing goes to and fro"))

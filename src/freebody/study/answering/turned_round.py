@@ -160,6 +160,12 @@ def find(setup: Setup, question: Question, formulas: Sequence[Formula]) -> Findi
         raise why_not
     if not possible:
         raise NoneFound(Message("no value of {name} within its range was found for which that is so", name=name))
+    lasting = [c for c in possible if not c.of.is_of_pose(c.value)]
+    if lasting and len(lasting) < len(possible):
+        found = _chosen(lasting)
+        return replace(
+            found, notes=[Message("it is so at every instant; at one alone, for other values, too"), *found.notes]
+        )
     return _chosen(possible)
 
 
@@ -316,15 +322,15 @@ class _Turned:
 
     def _instant(self, value: Ratio, made: PutBack) -> Snapshot:
         """Where a value is put in: one that depends on the pose or the speeds, where the quantity is looked at."""
-        return instant_of(self.question, self.quantity.of, made) if self._is_of_pose(value) else made.draw.start()
+        return instant_of(self.question, self.quantity.of, made) if self.is_of_pose(value) else made.draw.start()
 
-    def _is_of_pose(self, value: Ratio) -> bool:
+    def is_of_pose(self, value: Ratio) -> bool:
         return bool(self.setup.model.moving & value.field.ingredients(value))
 
     def _draws(self, value: Ratio) -> Iterator[Draw]:
         """Those that all answers are compared at; then others further away, for values that are there only."""
         yield from self.setup.draw_stream()
-        for k in range(_OF_POSES if self._is_of_pose(value) else _BATCHES):
+        for k in range(_OF_POSES if self.is_of_pose(value) else _BATCHES):
             yield from draws(self.setup.system, N_DRAWS, seed=SEED + 20 + k, widest=_WIDE, near=self.setup.draws[0])
 
     def _size(self, draw: Draw) -> float:

@@ -19,7 +19,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import CrossCheck, NotReal, as_parts, element_at
 from freebody.study.answering.draws import SEED, Draw
 from freebody.study.answering.magnitude import magnitude
-from freebody.study.setup import Setup
+from freebody.study.setup import SAME_PLACE, Setup, places_of_bodies
 from freebody.study.steady.motion import Solutions, SteadyMotion
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.unknowns import Coordinate
@@ -36,9 +36,9 @@ def in_steady_motion(setup: Setup, question: str, steady: SteadyMotion, solution
         question, Message("accelerations of the full system at random poses with these rates"), _TOLERANCE
     )
 
-    def compare(seen: tuple[Draw, list[Snapshot]]) -> None:
+    def compare(seen: tuple[Draw, dict[int, Snapshot]]) -> None:
         draw, found = seen
-        gaps = [unevenness(steady, draw, snapshot) for snapshot in found]
+        gaps = [unevenness(steady, draw, snapshot) for snapshot in found.values()]
         witness.compare(draw, (1.0,) * len(gaps), tuple(1.0 + gap for gap in gaps))
 
     return witness.gather(motions(setup, steady, solutions), compare).evidence()
@@ -60,7 +60,7 @@ def during_steady_motion(
     is_angle = measure is not None and order == 0 and measure.is_angle
     for draw, found in motions(setup, steady, solutions):
         pairs: list[tuple[tuple[float, ...], tuple[float, ...], Snapshot]] = []
-        for k, snapshot in enumerate(found):
+        for k, snapshot in found.items():
             if unevenness(steady, draw, snapshot) > _TOLERANCE:
                 raise CannotAnswer(Message("the steady motion by which the answer would be checked is none in numbers"))
             try:
@@ -80,15 +80,26 @@ def during_steady_motion(
     return witness.evidence()
 
 
-def motions(setup: Setup, steady: SteadyMotion, solutions: Solutions | None) -> Iterator[tuple[Draw, list[Snapshot]]]:
-    """Steady motions, one for each root, at the draws at which there are some."""
+def motions(
+    setup: Setup, steady: SteadyMotion, solutions: Solutions | None
+) -> Iterator[tuple[Draw, dict[int, Snapshot]]]:
+    """Steady motions, one for each root, at the draws at which there are some: first those with all roots, then, where
+    there is one of these, those with some, as beside a drive that is too slow for one of the places."""
+    fewer: list[tuple[Draw, dict[int, Snapshot]]] = []
+    n_all = 1 if solutions is None else len(solutions.roots)
+    has_all = False
     for k, draw in enumerate(setup.draw_stream()):
         found = _motion(setup, steady, solutions, draw, k)
-        if found:
+        if len(found) == n_all:
+            has_all = True
             yield draw, found
+        elif found:
+            fewer.append((draw, found))
+    if has_all:
+        yield from fewer
 
 
-def _motion(setup: Setup, steady: SteadyMotion, solutions: Solutions | None, draw: Draw, k: int) -> list[Snapshot]:
+def _motion(setup: Setup, steady: SteadyMotion, solutions: Solutions | None, draw: Draw, k: int) -> dict[int, Snapshot]:
     """Rates at random, larger and larger until there is a steady motion with them."""
     rng = np.random.default_rng(SEED + k)
     q = general_pose(setup, draw, k)
@@ -96,30 +107,38 @@ def _motion(setup: Setup, steady: SteadyMotion, solutions: Solutions | None, dra
     for c in steady.others:
         if c.index in given:
             q = placed(steady, draw, q, c, given[c.index])
-    for size in _RATES:
-        for _ in range(2):
+    found: dict[int, Snapshot] = {}
+    for size in _RATES if steady.cyclic else _RATES[:1]:
+        for _ in range(2 if steady.cyclic else 1):
             rates = {c.speed: size * float(rng.uniform(0.5, 1.5)) for c in steady.cyclic} | given
             with suppress(CannotAnswer):
-                return _with_roots(setup, steady, solutions, draw, q, rates)
-    return []
+                found = _with_roots(setup, steady, solutions, draw, q, rates)
+                if solutions is None or len(found) == len(solutions.roots):
+                    return found
+    return found
 
 
 def _with_roots(
     setup: Setup, steady: SteadyMotion, solutions: Solutions | None, draw: Draw, q: Array, rates: dict[int, float]
-) -> list[Snapshot]:
+) -> dict[int, Snapshot]:
+    """By the roots that are real."""
     first = moving(steady, draw, q, rates)
     if solutions is None:
-        return [first]
-    found: list[Snapshot] = []
-    for x in solutions.roots:
+        return {0: first}
+    found: dict[int, Snapshot] = {}
+    for k, x in enumerate(solutions.roots):
         _insist_divisor(setup, x, draw, first)
-        (value,) = element_at(setup, (x,), draw, first)
+        try:
+            (value,) = element_at(setup, (x,), draw, first)
+        except NotReal:
+            continue
         more = {s: element_at(setup, (y,), draw, first)[0] for s, y in solutions.with_them.items()}
         values, there = more | {solutions.index: value}, q
         for c in steady.others:
             if c.index in values:
                 there = placed(steady, draw, there, c, values.pop(c.index))
-        found.append(moving(steady, draw, there, rates | values))
+        there = _by_formulas(setup, draw, q, {solutions.index: x, **solutions.with_them}, there)
+        found[k] = moving(steady, draw, there, rates | values)
     return found
 
 
@@ -129,6 +148,21 @@ def _insist_divisor(setup: Setup, x: Ratio, draw: Draw, snapshot: Snapshot) -> N
     value, size = x.field.numerator_and_size(x.denominator(), numbers)
     if abs(value) <= ROUND_OFF * size:
         raise NotReal(Message("a divisor vanishes there"))
+
+
+def _by_formulas(setup: Setup, draw: Draw, q: Array, values: dict[int, Ratio], there: Array) -> Array:
+    """A pose with what the formulas say of the places of all bodies, where the way to it led over one in which the
+    parts could be assembled otherwise: a sleeve stays at the hinge when the arms have passed it."""
+    here, found = (draw.reference.snapshot(x, np.zeros_like(x)) for x in (q, there))
+    places: list[tuple[Measure, float]] = []
+    for measure in places_of_bodies(setup.model):
+        x = setup.model.value_of(measure)
+        exact = element_at(setup, (x.field.lowest_terms(x.field.follow(x, values)),), draw, here)[0]
+        places.append((measure, exact))
+    size = draw.reference.sizes.length
+    if all(abs(found.value(measure) - exact) <= SAME_PLACE * size for measure, exact in places):
+        return there
+    return draw.reference.pose_near(q, places)
 
 
 def placed(steady: SteadyMotion, draw: Draw, q: Array, place: Coordinate, value: float) -> Array:

@@ -5,7 +5,9 @@ A top that leans by beta precesses steadily where C^2 w^2 >= 4 m g l (A - C) cos
 
 from __future__ import annotations
 
-from collections.abc import Callable
+import math
+from collections.abc import Callable, Sequence
+from contextlib import suppress
 from dataclasses import replace
 from fractions import Fraction
 from itertools import product
@@ -23,12 +25,15 @@ from freebody.study.answering.crosscheck import element_at
 from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving, placed
-from freebody.study.steady.motion import Solutions, SteadyMotion
+from freebody.study.steady.motion import Solutions, SteadyMotion, is_quarter
+from freebody.study.steady.values import range_of
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.ratio import Ratio
+from freebody.symbolic.unknowns import Coordinate
 from freebody.tolerances import ROUND_OFF
 
 _OPPOSITE = {">": ">=", ">=": ">"}  # of the negative element
+_SHARES = (0.003, 0.1, 0.3, 0.5, 0.7, 0.9, 0.997)  # of a quarter turn
 _SAME = 1e-6  # of its largest term: what a root leaves of another equation
 
 
@@ -37,6 +42,8 @@ def existence(setup: Setup, question: Question, parameter: str, *, is_so: bool) 
     that of the start, with the other rates of the start. Raises CannotAnswer where the rate has no closed form."""
     m, f = setup.model, setup.model.field
     steady = SteadyMotion.asked(m, question.event)
+    if not steady.cyclic and question.event is None and (of_place := _of_place(setup, steady, is_so=is_so)):
+        return of_place
     steady.given = {**{c.index: setup.start.of(c.index) for c in steady.others if not steady.given}, **steady.given}
     if not any(c.index in steady.given for c in steady.others):
         raise CannotAnswer(Message("say where: the steady motion exists when {x} = ...", x=steady.others[0].name))
@@ -53,13 +60,73 @@ def existence(setup: Setup, question: Question, parameter: str, *, is_so: bool) 
         roots = [c for c in real(root) if c.relation in _OPPOSITE]
         ways.append([*roots, *(replace(c, element=at(c.element, root)) for c in needed if c.relation in _OPPOSITE)])
 
+    return _one_of(ways, _in_numbers(setup, steady, solutions.index, is_so=is_so), is_so=is_so)
+
+
+def _one_of(
+    ways: Sequence[Sequence[Condition]], seen: Callable[[dict[str, float]], float], *, is_so: bool
+) -> list[Formula]:
+    """Where one of the ways is open, and where none is."""
+
     def no_formula() -> Evidence:
         raise CannotAnswer(Message("whether there is such a steady motion was not compared with the numeric route"))
 
-    seen = _in_numbers(setup, steady, solutions.index, is_so=is_so)
     there = [Formula(Fraction(1), way, no_formula, seen, says=is_so) for way in ways]
     none = product(*([_opposite(c) for c in way] for way in ways))
     return [*there, *(Formula(Fraction(1), each, no_formula, seen, says=not is_so) for each in none)]
+
+
+def _of_place(setup: Setup, steady: SteadyMotion, *, is_so: bool) -> list[Formula]:
+    """Beside a drive: where there is a place on the way of the one angle that is not so whatever the parameters are, as
+    hanging down is. Nothing where the place is no such angle or has no closed form."""
+    f = setup.model.field
+    inside = frozenset[int]().union(*(f.ingredients(x) for x in steady.equations))
+    places = [c for c in steady.others if c.index in inside]
+    measure = steady.model.measure_of(places[0]) if len(places) == 1 else None
+    if len(steady.equations) != 1 or measure is None or not measure.is_angle:
+        return []
+    try:
+        found = steady.at_position(places[0])
+    except CannotAnswer:
+        return []
+    needed = setup.holding(steady.state) + setup.clearances(steady.state, ">=")
+    ways: list[list[Condition]] = []
+    for x in (x for x in found.roots if not is_quarter(x)):
+        way = [*range_of(x, Message("there is such a motion")), *real(x)]
+        held = (
+            replace(c, element=f.lowest_terms(f.follow(steady.put_in(c.element), {found.index: x}))) for c in needed
+        )
+        ways.append([c for c in (*way, *held) if c.relation in _OPPOSITE])
+    if not ways or not all(ways):
+        return []
+    return _one_of(ways, _places_in_numbers(setup, steady, places[0], is_so=is_so), is_so=is_so)
+
+
+def left_out(setup: Setup, question: Question) -> list[str]:
+    """A note on the places that are not meant where none is named."""
+    if question.event is not None or SteadyMotion(setup.model).cyclic:
+        return []
+    return [Message("places that are steady whatever the parameters are, as hanging down, are left out")]
+
+
+def _places_in_numbers(
+    setup: Setup, steady: SteadyMotion, place: Coordinate, *, is_so: bool
+) -> Callable[[dict[str, float]], float]:
+    """Whether the acceleration changes its sign on the way of an angle between two quarter turns."""
+
+    def value(values: dict[str, float]) -> float:
+        draw = setup.draws[0].with_values(values, setup.system)
+        changes = False
+        for quarter in range(-2, 2):
+            signs = set[float]()
+            for share in _SHARES:
+                with suppress(CannotAnswer):
+                    q = placed(steady, draw, draw.q, place, (quarter + share) * math.pi / 2)
+                    signs |= set(np.sign(coordinate_accelerations(steady, draw, moving(steady, draw, q, {}))))
+            changes = changes or {-1.0, 1.0} <= signs
+        return float(changes == is_so)
+
+    return value
 
 
 def _opposite(c: Condition) -> Condition:

@@ -10,6 +10,7 @@ Fufaev, Dynamics of Nonholonomic Systems, 1972, ch. VI.
 from __future__ import annotations
 
 from collections.abc import Iterable, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -24,6 +25,7 @@ from freebody.questions.event_base import QuestionEvent
 from freebody.questions.steady import SteadyValue
 from freebody.study.eom import primitive_part
 from freebody.study.steady.apart import MOST_ROOTS, nearest, places_apart
+from freebody.symbolic.closure import Closure
 from freebody.symbolic.functions import functions
 from freebody.symbolic.linear import RHS, Row, solve
 from freebody.symbolic.model import SymbolicModel
@@ -94,8 +96,14 @@ class SteadyMotion:
             return inside[0], zeros_of(m, without_arc(m, value, target).numerator(), inside[0])
 
     def put_in(self, x: Ratio) -> Ratio:
-        """An element with the given value."""
+        """An element with the given value, and by independent coordinates as far as loops have a short solution."""
+        with suppress(CannotAnswer):
+            x = self._closure.explicit(x)
         return x.field.lowest_terms(x.field.follow(x, dict(self.given))) if self.given else x
+
+    @cached_property
+    def _closure(self) -> Closure:
+        return Closure(self.model)
 
     @cached_property
     def cyclic(self) -> tuple[Coordinate, ...]:

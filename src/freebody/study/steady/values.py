@@ -82,10 +82,10 @@ def _at_start(setup: Setup, question: Question, x: Ratio, solutions: Solutions |
 def _ranges(roots: Sequence[Ratio]) -> list[list[Condition]]:
     """What each of the values needs to be one."""
     purposes = [_THERE_IS] if len(roots) == 1 else [Message("for [{k}]", k=k + 1) for k in range(len(roots))]
-    return [_range(x, purpose) for x, purpose in zip(roots, purposes, strict=True)]
+    return [range_of(x, purpose) for x, purpose in zip(roots, purposes, strict=True)]
 
 
-def _range(x: Ratio, purpose: str) -> list[Condition]:
+def range_of(x: Ratio, purpose: str) -> list[Condition]:
     """-1 <= u <= 1 for the arcs in an answer."""
     f, found = x.field, list[Condition]()
     for index in sorted(x.generators()):
