@@ -6,13 +6,16 @@ import math
 import random
 from typing import Any
 
+import numpy as np
 import pytest
 
 from freebody.symbolic.conditions import Condition, require
-from freebody.symbolic.decide import decide, implied, possible
+from freebody.symbolic.decide import Trials, decide, deciding, implied, possible, sign_given
 from freebody.symbolic.functions import functions
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.signed_field import SignedField
+from freebody.symbolic.signs import Sign
+from freebody.symbolic.tidy import tidy
 
 POSITIVE, REAL, ACUTE = ("a", "b", "c", "d"), ("x", "y", "theta"), ("beta",)
 
@@ -209,3 +212,62 @@ def test_a_difference_of_squares_with_the_sine_of_an_acute_angle_is_the_differen
     turned, _ = require((M + m) ** 2 * R**2 * sine**2 - m**2 * r**2, ">")
     assert turned is not None
     assert (turned.element + condition.element).is_zero()
+
+
+# -- counterexamples first -----------------------------------------------------------------------
+class At:
+    """Points of a field by the names of its parameters."""
+
+    def __init__(self, field: Any, points: list[dict[str, float]]) -> None:
+        self.field, self.points = field, points
+
+    def numbers(self, k: int) -> dict[int, float]:
+        f = self.field
+        return {f.index(f.parameter(name)): value for name, value in self.points[k].items()}
+
+    def evaluate(self, x: Ratio) -> Any:
+        values = [self.field.complete(self.numbers(k)) for k in range(len(self.points))]
+        return np.array([float(self.field.evaluate(x, v)) for v in values])
+
+
+def with_trials(points: list[dict[str, float]]) -> tuple[Any, dict[str, Ratio]]:
+    """A field of positive parameters a, b, c that has been looked at in some points."""
+    f = SignedField()
+    known = {name: f.parameter(name, positive=True) for name in "abc"}
+    f.trials = Trials(At(f, points))
+    return f, known
+
+
+def test_two_points_of_unlike_signs_end_the_question_before_any_cells_are_made(monkeypatch: pytest.MonkeyPatch) -> None:
+    """a b^2 - c^3 is positive at (2, 1, 1) and negative at (1, 1, 2): no premise that holds at both gives it a sign."""
+    _f, known = with_trials([{"a": 2.0, "b": 1.0, "c": 1.0}, {"a": 1.0, "b": 1.0, "c": 2.0}])
+    a, b, c = known.values()
+    monkeypatch.setattr(deciding, "CellDecomposition", lambda *_any: pytest.fail("cells were made"))
+    premise = Condition(a + 2 * b - c, ">")
+    assert sign_given(a * b**2 - c**3, [premise]) is Sign.UNKNOWN
+    assert not implied(Condition(a * b**2 - c**3, ">"), [premise])
+
+
+def test_points_outside_of_the_premises_refute_nothing() -> None:
+    """a^2 > b^2 where a > b, though it is not so at (1, 2)."""
+    _f, known = with_trials([{"a": 2.0, "b": 1.0, "c": 1.0}, {"a": 1.0, "b": 2.0, "c": 1.0}])
+    a, b, _c = known.values()
+    assert implied(Condition(a**2 - b**2, ">"), [Condition(a - b, ">")])
+    assert not implied(Condition(a**2 - b**2, ">"), [])
+
+
+def test_what_only_round_off_refutes_is_not_refuted() -> None:
+    """(a - b)^2 - c is 63.5 at a = b + 8, and written out in doubles -512, round-off of 4e18."""
+    f, known = with_trials([{"a": 1901749045.0, "b": 1901749037.0, "c": 0.5}])
+    a, b, c = known.values()
+    x = a**2 - 2 * a * b + b**2 - c
+    assert f.trials.points.evaluate(x)[0] < 0
+    assert not f.trials.refute([x], 1, [])
+
+
+def test_an_element_is_written_once_however_often_it_is_shown(monkeypatch: pytest.MonkeyPatch) -> None:
+    _f, known = with_trials([{"a": 2.0, "b": 1.0, "c": 1.0}])
+    a, b, c = known.values()
+    first = tidy(a * b + a * c)
+    monkeypatch.setattr("freebody.symbolic.tidy._as_it_is", lambda _x: pytest.fail("written again"))
+    assert tidy(a * (b + c)) is first

@@ -1029,3 +1029,33 @@ def test_an_arc_touches_lines_only() -> None:
     )
     with pytest.raises(fb.ModelError, match="a contact of it is one with lines"):
         fb.System.from_text(model)
+
+
+STEPLADDER = """
+parameters: {L: 2 m, alpha: 20 deg, m: 6 kg, W: 700 N, a: 1.4 m, k: 400 N/m, l0: 0.5 m, b: 0.5 m, mu: 0.5, g: 10 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies:
+  left:
+    rod: {mass: m, length: L}
+    at: {start: [-L*sin(alpha), 0], end: [0, L*cos(alpha)]}
+    points: {T: b from start, P: a from start}
+  right: {rod: {mass: m, length: L}, at: {start: [L*sin(alpha), 0], end: [0, L*cos(alpha)]}, points: {T: b from start}}
+connections:
+  top: {pin: [left.end, right.end]}
+  A: {contact: {between: [left.start, ground.floor], friction: mu}}
+  B: {contact: {between: [right.start, ground.floor], friction: mu}}
+loads:
+  weight: {gravity: g}
+  person: {force: {at: left.P, along: down, magnitude: W}}
+  tie: {spring: {from: left.T, to: right.T, stiffness: k, free_length: l0}}
+"""
+
+
+def test_a_stepladder_tied_by_a_spring_is_answered_on_the_side_on_which_the_spring_leads(agrees: Agree) -> None:
+    """Moments of the right leg about the top: N L sin(a) - m g L sin(a)/2 = F L cos(a) + T (L - b) cos(a) with
+    N = m g + W a/(2 L) from both legs about the left foot and T = k (2 (L - b) sin(a) - l0). Beyond the top, b > L,
+    the spring would be 2 (b - L) sin(a) long: other numbers, which were taken for a defect."""
+    solution = asked(STEPLADDER, "least mu so that it stays at rest")
+    N, T = "(m*g + W*a/(2*L))", "k*(2*(L - b)*sin(alpha) - l0)"
+    agrees(solution, "q1", f"({T}*(L - b)/L - ({N} - m*g/2)*sin(alpha)/cos(alpha))/{N}")
+    assert "L > b (as at the start)" in solution["q1"].conditions

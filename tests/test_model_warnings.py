@@ -762,3 +762,35 @@ def test_what_is_joined_twice_is_told() -> None:
     (told,) = fb.System.from_text(text).warnings
     assert told.kind == "joined twice"
     assert told.problem.path == ("connections", "B")
+
+
+TRUCK = """
+parameters: {m: 50 kg, b: 0.6 m, h: 1 m, mu: 0.45, v0: 5 m/s, a0: 2 m/s^2, g: 9.81 m/s^2}
+bodies:
+  truck: {rectangle: {mass: m, width: 3 m, height: 1 m}, at: [0, 0], lines: {bed: {through: [0, 0.5], along: right}}}
+  crate: {rectangle: {mass: m, width: b, height: h}, near: {at: [0, 1]}SPEED}
+connections:
+  track: {slider: {body: truck, along: right}}
+  motor: {driver: {measure: x of truck, follows: LAW}}
+  bed: {contact: {between: [crate, truck.bed], friction: mu, touching: true}}
+loads: {weight: {gravity: g}}
+"""
+
+
+@pytest.mark.parametrize(
+    ("law", "speed", "is_told"),
+    [
+        ("v0*t - a0*t^2/2", "", True),  # the bed goes on under it
+        ("v0*t - a0*t^2/2", ", velocity: [v0, 0]", False),
+        ("v0*t - a0*t^2/2", ", velocity: [0, 0]", False),  # said to stand
+        ("a0*t^2/2", "", False),  # both start from rest
+    ],
+)
+def test_a_crate_whose_speed_is_left_open_on_a_truck_that_already_moves_is_told(
+    law: str, speed: str, is_told: bool
+) -> None:
+    """The least motion leaves the crate where it is; that it goes along is its velocity v0."""
+    warnings = fb.System.from_text(TRUCK.replace("LAW", law).replace("SPEED", speed)).warnings
+    found = [w for w in warnings if w.kind == "left behind"]
+    assert len(found) == is_told
+    assert all("Give it velocity: [5 m/s, 0 m/s]" in w.text() for w in found)

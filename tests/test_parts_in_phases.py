@@ -13,7 +13,9 @@ import pytest
 
 from freebody.api import System
 from freebody.study.phases.tree import tree_of
+from freebody.study.setup import Setup
 from freebody.symbolic.blocks import apart_from
+from freebody.symbolic.first_integrals import staying_of
 from freebody.symbolic.phases.energy_motion import EnergyMotion
 from posed import is_derived, is_formula, posed
 
@@ -116,3 +118,24 @@ def test_parts_that_move_smoothly_have_their_own_energies(question: str, formula
 
 def test_the_energy_of_a_part_is_derived() -> None:
     assert "do not act on each other" in is_derived(APART, "velocity of theta when theta = 0")["en"]
+
+
+TWO_PENDULUMS = """
+parameters: {m: 1 kg, M: 2 kg, L: 1 m, a: 40 deg, g: 9.81 m/s^2}
+bodies: {upper: {rod: {mass: M, length: L}}, lower: {rod: {mass: m, length: L}}}
+connections: {O: {pin: [ground.O, upper.start]}, P: {pin: [upper.end, lower.start]}}
+loads: {w: {gravity: g}}
+measures: {phi: angle of upper from down, psi: angle of lower from down}
+start: {phi: PHI, rate(phi): 0, psi: PSI, rate(psi): 0}
+"""
+
+
+def test_what_balls_show_to_be_accelerated_is_not_looked_at_in_formulas(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Let go at an angle, both rods are accelerated at once; hanging straight down, both stay."""
+    let_go = Setup(System.from_text(TWO_PENDULUMS.replace("PHI", "a").replace("PSI", "a")))
+    start = let_go.start
+    monkeypatch.setattr(type(let_go.model.field), "follow", lambda *_any: pytest.fail("the start was put in"))
+    assert staying_of(let_go.model, start) == {}
+    monkeypatch.undo()
+    hanging = Setup(System.from_text(TWO_PENDULUMS.replace("PHI", "0").replace("PSI", "0")))
+    assert {c.index for c in hanging.model.coordinates} <= staying_of(hanging.model, hanging.start).keys()

@@ -79,7 +79,9 @@ class Field(PolynomialRing):
         self.known_signs: dict[str, Any] = {}  # the same about polynomials, by their texts
         self.real_roots: set[int] = set()  # of what cannot be negative, as sums of squares
         self.shown_roots: dict[int, Any] = {}  # as `tidy` writes them
+        self.shown: dict[Any, Any] = {}  # elements as it writes them: those of conditions stand in many cases
         self.decided: dict[Any, Any] = {}  # what `decide` found out about signs under premises
+        self.trials: Any = None  # points at which `decide` looks for counterexamples, where somebody has some
         super().__init__(capacity)
 
     # -- generators ---------------------------------------------------------------------------

@@ -415,15 +415,13 @@ def is_driven(model: SymbolicModel) -> bool:
 def staying_of(model: SymbolicModel, start: StartState) -> dict[int, Ratio]:
     """The independent coordinates, by generator, that stay where they start, and their speeds: they start at rest, and
     while all of them are there none is accelerated, whatever the others do."""
-    f = model.field
+    f, solved = model.field, model.dynamics.solved_accelerations
     pairs = [(c, a) for c, a in zip(model.coordinates, model.accelerations, strict=True) if start.of(c.speed).is_zero()]
+    begun = {k: x for c, _a in pairs for k, x in ((c.index, start.of(c.index)), (c.speed, f.zero))}
+    pairs = [(c, a) for c, a in pairs if not model.samples.is_nonzero_where(solved[a], begun)]
     while pairs:
         there = {k: x for c, _a in pairs for k, x in ((c.index, start.of(c.index)), (c.speed, f.zero))}
-        still = [
-            (c, a)
-            for c, a in pairs
-            if f.lowest_terms(f.follow(model.dynamics.solved_accelerations[a], there)).is_zero()
-        ]
+        still = [(c, a) for c, a in pairs if f.lowest_terms(f.follow(solved[a], there)).is_zero()]
         if len(still) == len(pairs):
             return there
         pairs = still

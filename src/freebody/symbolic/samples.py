@@ -17,7 +17,7 @@ from typing import Any
 from freebody.language.expression import evaluate
 from freebody.language.notation import to_text
 from freebody.symbolic.bodies import Bodies
-from freebody.symbolic.decide.refuting import is_proved_not_zero
+from freebody.symbolic.decide.refuting import Enclosed, is_proved_not_zero
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.sample import Sample
 from freebody.symbolic.signs import Sign, sign_of
@@ -280,6 +280,15 @@ class Samples:
             return False
         values = self._values(k)
         return is_proved_not_zero(x, {g: float(values[g]) for g in free if g in values})
+
+    def is_nonzero_where(self, x: Ratio, there: Mapping[int, Ratio]) -> bool:
+        """Whether balls prove that an element is not zero where some generators are certain elements, so that it is no
+        zero of the field with these put in, however long that takes; all others are as at the first start."""
+        if not self._starts:
+            return False
+        values, generators = self._values(self._starts[0]), self.field.generators
+        numbers = {g: float(value) for g, value in values.items() if generators[g].compute is None}
+        return Enclosed(numbers, there).sign(x) != 0
 
     def vanishes_at_starts(self, x: Ratio) -> bool:
         """Whether the terms of an element cancel at every start."""

@@ -50,6 +50,13 @@ _FACTOR_TERMS = 600  # larger polynomials are not factored
 def tidy(x: Ratio) -> Expr:
     """The readable expression of an element: with asin u or with acos u = pi/2 - asin u, whichever is shorter, so
     that it does not matter by which of them the element was made."""
+    known, key = x.field.shown, x.key()
+    if key not in known:
+        known[key] = _shorter_by_arcs(x)
+    return known[key]
+
+
+def _shorter_by_arcs(x: Ratio) -> Expr:
     shown, f = _as_it_is(x), x.field
     for g in sorted(x.generators() & f.arguments.keys()):
         name, u = f.arguments[g]

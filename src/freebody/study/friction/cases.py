@@ -190,10 +190,15 @@ class Ends:
                 if not all(self.model.samples.vanishes(r) for r in at_end.residuals):
                     continue
                 conditions, is_complete = self._conditions(here, at_end, at, sign)
-                return FailureCase(here.failure, here.words, element, conditions, is_complete)
+                return FailureCase(here.failure, here.words, element, (*self._taken, *conditions), is_complete)
         except (CannotAnswer, ZeroDivisionError):
             return None
         return None
+
+    @property
+    def _taken(self) -> list[Condition]:
+        """What formulas take to be positive, as the side on which a spring leads to its other end."""
+        return self.setup.holding(self.setup.start_instant, with_contacts=False)
 
     def _nothing(self, here: SeenFailure) -> FailureCase:
         """A reaction that may vanish."""

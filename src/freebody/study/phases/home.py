@@ -27,6 +27,7 @@ from freebody.study.phases.together import slip_rates
 from freebody.study.phases.words import at_start
 from freebody.study.setup import Setup, held_in_blow
 from freebody.symbolic.conditions import Condition, require
+from freebody.symbolic.decide import Trials
 from freebody.symbolic.parameter_roots import without_roots_below
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.relations import parted
@@ -54,6 +55,7 @@ class Home:
         if self.system is not system:
             self.home = Setup(in_mode(self.system, free)[0])
         self.sets = Sets(self.system)
+        self.home.model.field.trials = Trials(self.sets.points_of(self.home.model))
         self.later: dict[str, Ratio] = {}  # symbols for angles of bodies, and times, at which later phases begin
         self.constants = dict(self._constants())
         self.sets.constants = {name: self.numbers(x) for name, x in self.constants.items()}

@@ -9,6 +9,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
@@ -178,6 +179,10 @@ class Sets:
         known = {g: float(np.broadcast_to(v, self.n)[k]) for g, v in self._numbers(model).items() if g in inside}
         return model.field.vanishes_at(x, known, ROUNDED)
 
+    def points_of(self, model: SymbolicModel) -> Points:
+        """The sets as points of the field of a model."""
+        return Points(self, model)
+
     def _plain(self, model: SymbolicModel) -> dict[int, Any]:
         values: dict[int, Any] = {}
         for name, drawn in self.values.items():
@@ -204,3 +209,21 @@ class Sets:
 
     def some(self, indices: Sequence[int] | Chosen, n: int) -> list[dict[str, float]]:
         return [self.one(int(k)) for k in indices[:n]]
+
+
+@dataclass(frozen=True)
+class Points:
+    """Parameter sets as points of the field of a model, at which signs are looked at."""
+
+    sets: Sets
+    model: SymbolicModel
+
+    def evaluate(self, x: Ratio) -> Array:
+        """An element in all sets; nan where it has no real value."""
+        return self.sets.evaluate(self.model, x)
+
+    def numbers(self, k: int) -> dict[int, float]:
+        """The parameters of one set, by generators."""
+        field, known = self.model.field, self.model.parameters
+        values = {name: float(v[k]) for name, v in self.sets.values.items() if name in known}
+        return {field.index(known[name]): value for name, value in values.items()}

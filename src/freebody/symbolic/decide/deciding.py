@@ -83,7 +83,16 @@ def _excluded(base: Ratio, premises: Sequence[Premise]) -> bool:
 
 def implied(condition: Premise, premises: Sequence[Premise]) -> bool:
     """Whether a condition follows from others."""
-    return decide(condition.element, condition.relation, premises) is True
+    x = condition.element
+    if condition.relation != "!=" and _is_refuted([x], 1, _used(x, premises)):
+        return False
+    return decide(x, condition.relation, premises) is True
+
+
+def _is_refuted(factors: Sequence[Ratio], sign: int, premises: Sequence[Premise]) -> bool:
+    """Whether a product has the opposite of a sign at a point at which the premises hold."""
+    trials = factors[0].field.trials
+    return trials is not None and trials.refute(factors, sign, premises)
 
 
 def _verdict(sign: Sign, relation: str) -> bool | None:
@@ -181,8 +190,12 @@ def _of_factor(base: Ratio, premises: list[_Given]) -> Sign:
     number = _sign_of_number(base)
     if number is not None:
         return number
+    if _is_refuted([base], 1, premises) and _is_refuted([base], -1, premises):
+        return Sign.UNKNOWN
     for p in premises:
         for sign in (1, -1) if p.relation != "!=" else ():
+            if _is_refuted([base], sign, [p]):
+                continue
             found = _beside(sign * base, p)
             if found is not Sign.UNKNOWN:
                 return found if sign > 0 else -found
@@ -282,6 +295,8 @@ def _in_cells(factors: list[Ratio], premises: list[_Given]) -> tuple[Sign, list[
     """The sign of a product in all cells in which premises hold, as far as it is the same, and the premises that were
     needed. It is strict where one cell is all there is, since then nothing vanishes anywhere."""
     for chosen in _choices(factors, premises):
+        if _is_refuted(factors, 1, chosen) and _is_refuted(factors, -1, chosen):
+            continue
         try:
             signs, is_whole = _signs(factors, chosen)
         except TooLarge:
