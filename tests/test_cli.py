@@ -95,7 +95,7 @@ questions: [{find: aceleration of left}, {find: tension of rop}]
     for expected in (
         "model.yaml:1:7: titl: there is no section titl. Did you mean title?",
         "kgg",
-        "m2 = -2 kg is not positive",
+        "a mass is never negative, m2 = -2 kg is",
         "Did you mean disk?",
         "Did you mean mass?",
         "R must be a mass (kg), but is given in m",

@@ -35,7 +35,7 @@ changing.py, and shares of what something starts with in shares.py.
 A parameter that is asked for by what it is has its symbol put in sought.py; which way a vector
 points is asked in pointing.py, and things are told by the side on which they lie in by_side.py. Parts that no reading
 has taken as they stand are put in the order of the grammar (recomposing.py); long constructions of a text that is not
-understood in plainer ones (recasting.py). Verbs of a file stand for all their
+understood in plainer ones (restating.py). Verbs of a file stand for all their
 forms (inflecting.py, strong_verbs.py). Nothing that is said is dropped, but words that lead to a question, adjectives
 that tell no thing
 from another, and adverbs of manner.

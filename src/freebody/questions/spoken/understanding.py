@@ -36,8 +36,8 @@ from freebody.questions.spoken.leaving_out import holds_without_which
 from freebody.questions.spoken.lexicon import Word, languages, several, vocabulary
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.other_values import other_value, same_value
-from freebody.questions.spoken.recasting import recast
 from freebody.questions.spoken.relating import loses_share, related
+from freebody.questions.spoken.restating import recast
 from freebody.questions.spoken.several import (
     asks_again,
     completed,
