@@ -60,17 +60,19 @@ def test_the_question_of_contributing_works_everywhere_as_written(closing_speed:
         pytest.approx(-0.6)
     )
     with pytest.raises(fb.ModelError, match="Did you mean: closing speed of POINT and POINT"):
-        system.solve("closng speed of ball and ball")
+        system.solve("closing sped of ball and ball")
 
 
 # -- no list of kinds -------------------------------------------------------------------------
 QUANTITIES = {"q", "quantity"}  # what quantities are called
 # Assertions that tell the type checker what a scope or a flag of the quantity means: the one kind that has it
 ASSERTED = {
+    "narrative/questions/along_rods.py": 1,
     "narrative/questions/conserving.py": 1,
     "narrative/questions/extent.py": 1,
     "narrative/questions/jump.py": 1,
     "study/answering/about_rest.py": 2,
+    "study/answering/functions_along_rods.py": 1,
     "study/conservation/judge.py": 1,
     "study/phases/turned_round.py": 1,
     "study/small_motion/numbers.py": 1,

@@ -90,6 +90,10 @@ class CannotAnswer(FreebodyError):
     """The question has no answer here; the message says why and what to do instead."""
 
 
+class SaysNothing(CannotAnswer):
+    """The routes cannot be compared at the given numbers; that is no difference."""
+
+
 class BudgetExhausted(CannotAnswer):
     """A search that has done all the work it was allowed; what it looked for may still be there."""
 

@@ -30,6 +30,7 @@ _PLACES: dict[Scope, str] = {
     "small motion": "questions.small",
     "steady motion": "steady.steady",
     "linkage": "questions.linkage",
+    "sections": "questions.along_rods",
 }
 
 

@@ -54,6 +54,7 @@ Scope = Literal[
     "every motion",  # what all motions have in common: conservation
     "structure",  # whatever moves: degrees of freedom
     "linkage",  # the geometry of a loop, whatever moves it
+    "sections",  # of a rod, as a function of the place
 ]
 S_co = TypeVar("S_co", covariant=True)
 _LETTERS = {  # as textbooks write them

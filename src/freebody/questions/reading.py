@@ -1,5 +1,6 @@
 """Reading questions: what is asked in the words of the grammar or in others, and the options to choose from.
-`QUANTITY as a function of MEASURE` is asked of any place, `QUANTITY as a function of t` of any instant.
+`QUANTITY as a function of MEASURE` is asked of any place, `QUANTITY as a function of t` of any instant,
+and what a rod transmits as a function of a name that is none, as `x`, of any of its sections.
 """
 
 from __future__ import annotations
@@ -15,10 +16,12 @@ from freebody.language.units import DIMENSIONLESS
 from freebody.model.names import Names
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import phrase_text
+from freebody.questions.along_rods import SectionsOfRod, is_free
 from freebody.questions.base import Quantity
 from freebody.questions.course import Counted, Transition, as_condition
 from freebody.questions.event import AnyInstant, AnyPlace, Anywhere, AskedEvent
 from freebody.questions.grammar import read_phrase
+from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.reading_when import Meant, beside_a_stop
 
 _ANYWHERE = "12.345"  # no place that means anything in a model
@@ -174,8 +177,9 @@ def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]
 def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     text = beside_a_stop(names, text)
     function = _AS_FUNCTION.fullmatch(text)
-    if function is not None and when is None and (anywhere := Anywhere.on(names, function["of"])) is not None:
-        return _as_function(names, text, function["what"], anywhere)
+    place = None if function is None or when is not None else Anywhere.on(names, function["of"])
+    if function is not None and place is not None:
+        return _as_function(names, text, function["what"], place)
 
     def read(words: str) -> Meant | None:
         return read_phrase(names, as_condition(names, words.rstrip(" ?!")), when)
@@ -190,8 +194,9 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     from freebody.questions.spoken.understanding import understood  # a tenth of what solving imports
     from freebody.questions.spoken.wanted_unit import told_in, without_units
 
-    if when is None and (spoken := in_terms_of.as_function(names, text)) is not None:
-        return _as_function(names, text, *spoken)
+    spoken = in_terms_of.as_function(names, text) if when is None else None
+    if spoken is not None and (found := _function_of(names, text, *spoken)):
+        return found
     bare, units = without_units(text, elements_of(names).exact)
     if len(units) != 1:
         found = [(meant, as_condition(names, words)) for meant, words in understood(names, text, read)]
@@ -208,6 +213,24 @@ def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
         return found
     told = told_in(names, text, *found[0], units[0])
     return [] if told is None else [(told, as_condition(names, found[0][1]))]
+
+
+def _function_of(names: Names, text: str, what: str, of: str) -> list[tuple[Meant, str]]:
+    """A quantity as a function of a measure, the time, or the section of a rod; nothing, without a problem noted, where
+    it is of nothing that there is."""
+    from freebody.questions.spoken.in_terms_of import joined
+
+    place = Anywhere.on(names, of)
+    if each := [found for part in joined(what) if (found := _quietly_function_of(names, part, of))]:
+        return [one for found in each for one in found] if len(each) == len(joined(what)) else []
+    return _along_a_rod(names, what, of) if place is None else _as_function(names, text, what, place)
+
+
+def _quietly_function_of(names: Names, what: str, of: str) -> list[tuple[Meant, str]]:
+    with names.quietly():
+        n_before = len(names.problems)
+        found = _function_of(names, what, what, of)
+        return found if len(names.problems) == n_before else []
 
 
 def _as_function(names: Names, text: str, what: str, place: AnyPlace | AnyInstant) -> list[tuple[Meant, str]]:
@@ -227,6 +250,22 @@ def _as_function(names: Names, text: str, what: str, place: AnyPlace | AnyInstan
     told = Message("'{text}' is not asked as a function of {of}: ask until, or when, {of} = ...", text=text, of=of)
     names.problem(told, "find")
     return []
+
+
+def _along_a_rod(names: Names, what: str, of: str) -> list[tuple[Meant, str]]:
+    """What is transmitted in the sections of a rod, in other words than those of the grammar: by what is greatest in
+    it. Nothing where something else is asked."""
+    from freebody.questions.spoken.in_terms_of import greatest_of
+
+    if not is_free(names, of):
+        return []
+    each = (found for text in greatest_of(what.removeprefix("the ")) if len(found := _quietly_meant(names, text)) == 1)
+    meant = next((found[0][0] for found in each), None)
+    if meant is None or meant.event is not None or not isinstance(meant.quantity, GreatestInRod):
+        return []
+    words = SectionsOfRod(meant.quantity.body, meant.quantity.part, of).words
+    read = read_phrase(names, words, None)
+    return [] if read is None else [(read, words)]
 
 
 def _quietly_meant(names: Names, text: str) -> list[tuple[Meant, str]]:

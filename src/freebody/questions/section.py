@@ -19,7 +19,7 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import (
     FLOAT_FUNCTIONS,
     ZERO,
@@ -154,7 +154,7 @@ questions: {it: bending moment of beam at beam.center}
         return side * dot(along, force)
 
     def refuse_beside(self, system: Described, state: State[Any]) -> None:
-        """Raises CannotAnswer where numbers put the section beside the rod."""
+        """Raises SaysNothing where numbers put the section beside the rod."""
         if self.along is None:
             return
         rod = system.bodies[self.body]
@@ -162,7 +162,7 @@ questions: {it: bending moment of beam at beam.center}
         near = ROUNDED * length
         if isinstance(along, float) and not -near <= along <= length + near:
             told = Message("{x} lies beyond the ends of {body}", x=self.named, body=rod.name)
-            raise CannotAnswer(told)
+            raise SaysNothing(told)
 
     def _cut(self, rod: RigidBody) -> Point:
         return on_axis(rod, self.offset)

@@ -14,13 +14,12 @@ from dataclasses import dataclass, replace
 from itertools import pairwise, takewhile
 from typing import Literal
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import ZERO, Expr, Symbol, free_symbols
 from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
-from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
 ROUND_OFF = 1e-6  # of a line, by the size of its terms

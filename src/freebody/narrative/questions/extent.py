@@ -5,7 +5,7 @@ from __future__ import annotations
 from dataclasses import replace
 from functools import singledispatch
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Argument, Message
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.kinds import derivation_of
@@ -22,7 +22,7 @@ from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.extent import extent_in_numbers, goes_one_way, kept_on_the_way, turn_of
 from freebody.study.answering.modal_extremes import wave_of
 from freebody.study.answering.settling_extremes import settling_of

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Call, Symbol, multiply
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
@@ -18,7 +18,7 @@ from freebody.questions.clock import Clock
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.modal_extremes import Swing, in_numbers, value_of
 from freebody.study.answering.repeated import held_throughout
 from freebody.symbolic.coupled import CoupledMotion

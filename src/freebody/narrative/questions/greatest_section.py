@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Message
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
@@ -14,7 +14,7 @@ from freebody.narrative.lines.script import DerivationStage
 from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.greatest_section import governing
 from freebody.study.answering.solve import solve
 

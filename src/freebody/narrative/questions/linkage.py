@@ -7,7 +7,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, replace
 from functools import singledispatch
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Call, Expr, Symbol, add, multiply, negate, number, power
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.measures.geometry import GROUND
@@ -24,7 +24,7 @@ from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Answer
-from freebody.study.answering.crosscheck import SaysNothing, element_at
+from freebody.study.answering.crosscheck import element_at
 from freebody.study.mobility.at_dead_points import by_crank, values_there
 from freebody.study.mobility.dead_points import (
     DeadPoint,

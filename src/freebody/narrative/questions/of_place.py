@@ -63,7 +63,7 @@ def at_its_place(context: Context, question: Question) -> Context:
     other question is its own."""
     event = question.event
     if not isinstance(event, Anywhere):
-        return context
+        return context.at_places.get(question.id, context)  # as one of a section of a rod
     if question.id not in context.at_places:
         place = _name_of(context, event)
         made, there = at_place(context.system, question, event, place.name)

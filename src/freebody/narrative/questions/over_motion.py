@@ -5,7 +5,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Symbol, number, power
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.context import Context, Method, refuse
@@ -18,7 +18,7 @@ from freebody.narrative.questions.kept_momenta import tell_momenta
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
-from freebody.study.answering.crosscheck import SaysNothing, holds
+from freebody.study.answering.crosscheck import holds
 from freebody.study.answering.extremes_until import extreme_in_numbers
 from freebody.study.answering.motion_extremes import Along, Stationary, along, along_until
 from freebody.symbolic.tidy import tidy

@@ -8,12 +8,12 @@ from __future__ import annotations
 
 import difflib
 import re
+from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.model.noting import did_you_mean
 from freebody.questions.clock import TIME_SINCE
-from freebody.questions.event import AnyInstant, AnyPlace, Anywhere
 from freebody.questions.spoken.lexicon import contexts, languages
 from freebody.questions.spoken.naming import elements_of
 from freebody.questions.spoken.suggesting import not_understood
@@ -24,16 +24,26 @@ if TYPE_CHECKING:
 _LONGEST_SYMBOL = 6  # letters of a name that is no word: thetta
 
 
-def as_function(names: Names, text: str) -> tuple[str, AnyPlace | AnyInstant] | None:
-    """What is asked as a function of a measure or of the time in the words of a language, and of what."""
+def as_function(names: Names, text: str) -> tuple[str, str] | None:
+    """What is asked as a function of something in the words of a language, and of what; the time is t."""
     if (found := _in_terms_of(text)) is None:
         what = _over_time(text)
-        return None if what is None or (place := Anywhere.on(names, TIME_SINCE)) is None else (what, place)
+        return None if what is None else (what, TIME_SINCE)
     is_time = found["of"] not in names.measures and any(
         re.fullmatch(contexts(language)["time"], found["of"], re.IGNORECASE) for language in languages()
     )
-    place = Anywhere.on(names, TIME_SINCE if is_time else found["of"])
-    return None if place is None else (found["what"], place)
+    return found["what"], TIME_SINCE if is_time else found["of"]
+
+
+def joined(what: str) -> list[str]:
+    """Several quantities that are asked as functions of one thing."""
+    each = (re.split(contexts(language)["joined"], what) for language in languages())
+    return next((parts for parts in each if len(parts) > 1), [])
+
+
+def greatest_of(what: str) -> Iterator[str]:
+    """The same quantity at its greatest, in the words of each language."""
+    return (contexts(language)["greatest_of"].replace("{what}", what) for language in languages())
 
 
 def misspelt(names: Names, text: str) -> Message | None:

@@ -10,7 +10,7 @@ from contextlib import contextmanager, suppress
 from typing import TypeVar
 
 from freebody.assess.points import EvaluationPoint, real, working_precision
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Message
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.answer import Evidence
@@ -29,10 +29,6 @@ SMALL = 1e-6  # a quantity that is smaller than this (SI) in every draw is compa
 ZERO_FLOOR = 1e-2  # the same for an answer that is exactly zero, where only round-off can be compared
 CANCELLED = 1e-5  # of the terms of a sum: below that fewer digits of doubles are left than routes are compared by
 OF_PARTS = 1e-3  # of the parts of a sum, by the tolerance: differences below that are no differences
-
-
-class SaysNothing(CannotAnswer):
-    """The routes cannot be compared at the given numbers; that is no difference."""
 
 
 class TooLittleCompared(CannotAnswer):

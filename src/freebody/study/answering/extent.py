@@ -7,7 +7,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, NeverHappens, RoutesDisagree
+from freebody.errors import CannotAnswer, NeverHappens, RoutesDisagree, SaysNothing
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.numeric.engine.course import Status, Trajectory
@@ -21,7 +21,6 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     CrossCheck,
-    SaysNothing,
     broken,
     element_at,
     holds,

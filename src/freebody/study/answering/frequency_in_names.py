@@ -18,7 +18,7 @@ from fractions import Fraction
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Call, Symbol, divide, free_symbols, multiply, number
 from freebody.language.notation import compared, reworded, to_text
 from freebody.language.sentences import Message
@@ -27,7 +27,7 @@ from freebody.questions.reading import Question
 from freebody.questions.small_motion import SmallOscillations
 from freebody.study.answering.answer import Answer, Evidence, made
 from freebody.study.answering.chain import ChainBuilder, inputs
-from freebody.study.answering.crosscheck import CrossCheck, SaysNothing
+from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import NO_FORM
 from freebody.study.answering.in_names import in_numbers, told

@@ -20,7 +20,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.messages import Shown
 from freebody.questions.clock import Clock
-from freebody.questions.event import AnyInstant, AnyPlace, Anywhere
+from freebody.questions.event import AnyPlace, Anywhere
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import NOT_VALID, Answer, refused
@@ -46,13 +46,13 @@ def as_function(system: System, question: Question, event: Anywhere, solve: Solv
     anywhere = None if is_counted else asked(system, replace(question, event=None))
     if anywhere is not None and _is_of_place_alone(system, anywhere, event.name):
         return anywhere
-    p = _free_name(system)
+    p = free_name(system)
     try:
         found = asked(*at_place(system, question, event, p))
     except (CannotAnswer, ModelError, InputError) as error:
         found = refused(question, str(error))
     if found.expression is not None:
-        return _in_the_measure(found, p, event)
+        return in_the_measure(found, p, event.name, at_first=isinstance(event, AnyPlace))
     told = Message("by {name} alone it has no formula: {why}", name=event.name, why=found.reason)
     if anywhere is None or anywhere.expression is None:
         return refused(question, told)
@@ -107,15 +107,15 @@ def _number(system: System, question: Question) -> float:
     return float(found) if isinstance(found, float) else math.nan
 
 
-def _free_name(system: System) -> str:
+def free_name(system: System) -> str:
     """A name that the model does not use."""
     taken = {*system.parameters, *system.measures, *system.bodies}
     return next(name for k in range(len(taken) + 1) if (name := f"place_{k}") not in taken)
 
 
-def _in_the_measure(answer: Answer, p: str, event: Anywhere) -> Answer:
-    """An answer with the measure, or the time, in the place of the parameter that stands for it."""
-    name = event.name
+def in_the_measure(answer: Answer, p: str, name: str, *, at_first: bool = False) -> Answer:
+    """An answer with the measure, or the time, in the place of the parameter that stands for it. at_first: it is one of
+    the first time that the measure is there."""
 
     def put(e: Expr) -> Expr:
         return substitute(e, {p: Symbol(name)})
@@ -147,7 +147,7 @@ def _in_the_measure(answer: Answer, p: str, event: Anywhere) -> Answer:
         return isinstance(said, Message) and said.template.startswith("with the given numbers")
 
     assert answer.expression is not None
-    if isinstance(event, AnyInstant):
+    if not at_first:
         first_time: tuple[str, ...] = ()
         cases = tuple(
             replace(case, expression=all_of(case.expression), conditions=tuple(map(told, case.conditions)))

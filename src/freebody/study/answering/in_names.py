@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from contextlib import suppress
 from functools import partial
 
-from freebody.errors import CannotAnswer, ExpressionError
+from freebody.errors import CannotAnswer, ExpressionError, SaysNothing
 from freebody.language.sentences import Message
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.event import AskedEvent
@@ -19,7 +19,6 @@ from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     CrossCheck,
     NotReal,
-    SaysNothing,
     element_at,
     holds,
 )

@@ -9,7 +9,7 @@ from functools import partial
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, NeverHappens
+from freebody.errors import CannotAnswer, NeverHappens, SaysNothing
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
@@ -22,7 +22,6 @@ from freebody.study.answering.crosscheck import (
     MIN_DRAWS,
     MOTION_TOLERANCE,
     CrossCheck,
-    SaysNothing,
     broken,
     element_at,
     holds,

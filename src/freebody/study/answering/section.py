@@ -19,7 +19,7 @@ from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.state import SymbolicState
 
-_THERE = Message("the section lies there between the loads")
+BETWEEN_LOADS = Message("the section lies there between the loads")
 
 
 class Placed(NamedTuple):
@@ -61,7 +61,7 @@ def placed(setup: Setup, q: SectionForce, state: SymbolicState) -> Placed:
     points = setup.system.bodies[q.body].points
     told = () if q.along is not None else (points["start"][0], points["end"][0])  # the answer says so by itself
     needed = [
-        Condition(side * beyond(at, origin), ">", _THERE)
+        Condition(side * beyond(at, origin), ">", BETWEEN_LOADS)
         for side, order in ((-1, found.order[:k]), (1, found.order[k + 1 :]))
         for same in order
         for at in same

@@ -27,6 +27,7 @@ from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.functions import as_function
+from freebody.study.answering.functions_along_rods import along_a_rod
 from freebody.study.answering.nothing_moves import of_what_stays
 from freebody.study.answering.numbers import number_instead
 from freebody.study.answering.other_turns import with_other_turns
@@ -58,6 +59,7 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
         own, asked = system.asked_with(*each(question))
         system, setup = own, setup if own is system else None
     functions = {q.id: as_function(system, q, q.event, solve) for q in asked if isinstance(q.event, Anywhere)}
+    functions |= {q.id: along_a_rod(system, q, solve) for q in asked if q.quantity.scope == "sections"}
     questions, no_place = placed(system, [q for q in asked if q.id not in functions], solve)
     found = _solved(system, [q for q in questions if q.id not in no_place], setup)
     answers = {a.id: a for a in found.answers}

@@ -15,7 +15,7 @@ from dataclasses import dataclass, replace
 from itertools import islice
 from typing import Any, TypeVar
 
-from freebody.errors import CannotAnswer, FreebodyError, ModelError, NeverHappens, NoRealRoot, NotReached
+from freebody.errors import CannotAnswer, FreebodyError, ModelError, NeverHappens, NoRealRoot, NotReached, SaysNothing
 from freebody.language.expression import ZERO, Symbol
 from freebody.language.notation import compared, joined, reworded, to_text
 from freebody.language.sentences import Message
@@ -34,7 +34,6 @@ from freebody.study.answering.crosscheck import (
     MOTION_TOLERANCE,
     OF_PARTS,
     CrossCheck,
-    SaysNothing,
     TooLittleCompared,
     element_at,
     holds,

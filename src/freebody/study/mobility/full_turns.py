@@ -10,7 +10,7 @@ from collections.abc import Sequence
 from dataclasses import replace
 from fractions import Fraction
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.notation import joined, reworded
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
@@ -20,7 +20,7 @@ from freebody.numeric.reference import Reference
 from freebody.questions.linkages import FullTurn
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula

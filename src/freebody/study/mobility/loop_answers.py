@@ -14,7 +14,7 @@ from typing import Any, cast
 import numpy as np
 from scipy import optimize
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Message, in_turn
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.angle import Angle
@@ -33,7 +33,7 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Value
 from freebody.study.answering.conditions import real
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.answering.formula import Formula

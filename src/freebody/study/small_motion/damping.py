@@ -5,14 +5,13 @@ from __future__ import annotations
 import math
 from collections.abc import Callable
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Message
 from freebody.numeric.small_motion import SmallMotion
 from freebody.numeric.vibration import natural_motions
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Damping
 from freebody.study.answering.at_equilibrium import NOTHING_DRIVES_BACK
-from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest, beside, compared, oscillates

@@ -10,7 +10,7 @@ from functools import cached_property, singledispatch
 
 import numpy as np
 
-from freebody.errors import CannotAnswer, FormulaTooLong
+from freebody.errors import CannotAnswer, FormulaTooLong, SaysNothing
 from freebody.language.notation import to_python
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -25,7 +25,7 @@ from freebody.questions.forced_motion import (
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.at_equilibrium import AT_REST, frequencies_at, insist_on_rest, places_at, unrest
-from freebody.study.answering.crosscheck import CrossCheck, SaysNothing, element_at, holds
+from freebody.study.answering.crosscheck import CrossCheck, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup

@@ -6,7 +6,7 @@ from collections.abc import Sequence
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
@@ -16,7 +16,6 @@ from freebody.numeric.small_motion import SmallMotion
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import ModeShapes
-from freebody.study.answering.crosscheck import SaysNothing
 from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import TOLERANCE, AtRest, beside, compared, oscillates

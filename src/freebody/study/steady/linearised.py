@@ -8,14 +8,14 @@ from typing import TypeVar
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
 from freebody.model.elements import NonholonomicForm
 from freebody.numeric.jets import Array
 from freebody.numeric.snapshot import Snapshot
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, SaysNothing, element_at
+from freebody.study.answering.crosscheck import MIN_DRAWS, CrossCheck, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.evidence import coordinate_accelerations, moving

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import ZERO, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
@@ -17,7 +17,7 @@ from freebody.numeric.reference import Reference
 from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, SaysNothing, element_at, holds
+from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import Draw
 from freebody.study.setup import Setup
 from freebody.study.steady.drive import FreeToTurn

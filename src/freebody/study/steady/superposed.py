@@ -18,7 +18,7 @@ from typing import Any, cast
 
 import numpy as np
 
-from freebody.errors import CannotAnswer
+from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
 from freebody.numeric.jets import Array
@@ -26,7 +26,7 @@ from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
 from freebody.questions.steady import Extremes
 from freebody.study.answering.answer import Evidence
-from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, SaysNothing, broken, element_at
+from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken, element_at
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.repeated import checked
