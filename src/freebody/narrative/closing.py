@@ -50,6 +50,9 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     is_told |= question.quantity.is_verdict and scope == "course"  # the verdict says it
     # the start need not be in steady motion
     is_told |= is_steady_place(question.quantity) or (scope == "steady motion" and question.at_start)
+    if scope == "sections" and answer.cases:
+        _parts(context, script, question, answer)
+        is_told = True
     if answer.expression is not None and not is_told:
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         own = _own_symbols(context, question)
@@ -63,7 +66,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.verdict", text=ready(answer.verdict))
     if answer.chain is not None:
         _chain(script, answer.chain)
-    if answer.conditions and question.quantity.scope != "every motion":  # that is what was derived
+    if answer.conditions and scope != "every motion" and not (scope == "sections" and answer.cases):
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(with_unit(context, c) for c in answer.conditions))
     script.add_all(limiting_cases(context, question, answer))
@@ -97,6 +100,17 @@ def _is_whole(answer: Answer) -> bool:
     if answer.expression is None:
         return answer.unit in ("", "1") and isinstance(answer.value, (int, float)) and float(answer.value).is_integer()
     return isinstance(answer.expression, Number) and answer.expression.value.denominator == 1
+
+
+def _parts(context: Context, script: Script, question: Question, answer: Answer) -> None:
+    """What a rod transmits in each of its parts."""
+    letter = asked_symbol(context, question, 1)
+    items: list[Sentence] = []
+    for case in answer.cases:
+        assert not isinstance(case.expression, tuple)
+        formula = ready(compared(letter, "=", case.expression))
+        items.append(Sentence("result.case", {"formula": formula, "conditions": tuple(map(ready, case.conditions))}))
+    script.add(Listing(tuple(items)))
 
 
 def _chain(script: Script, chain: Chain) -> None:

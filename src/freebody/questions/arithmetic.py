@@ -9,8 +9,8 @@ may say when it is meant: `energy lost until rolling begins / kinetic energy at 
 from __future__ import annotations
 
 import math
-from collections.abc import Mapping, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, replace
 from fractions import Fraction
 from typing import TYPE_CHECKING, Any, Protocol
 
@@ -183,6 +183,14 @@ questions: {it: acceleration of x - acceleration of y}
     @property
     def inner(self) -> tuple[Quantity, ...]:
         return tuple(q for _name, q in self.operands)
+
+    @property
+    def size_of(self) -> Quantity | None:
+        name, of = self.operands[0] if len(self.operands) == 1 else ("", None)
+        return of if self.form == Call("abs", Symbol(name)) else None
+
+    def with_operands(self, changed: Callable[[Quantity], Quantity]) -> Quantity:
+        return replace(self, operands=tuple((name, changed(q)) for name, q in self.operands))
 
     @property
     def is_of_pose_in_motion(self) -> bool:

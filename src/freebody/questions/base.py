@@ -231,10 +231,16 @@ class Quantity:
     continues_impacts: ClassVar[bool] = False
     # whether it is told by the principles where the equations of motion are too long
     is_told_by_principles: ClassVar[bool] = False
+    # whether it is so where one coordinate alone remains
+    is_told_by_principles_of_one: ClassVar[bool] = False
+    # whether it is a frequency or a period of small oscillations
+    is_frequency: ClassVar[bool] = False
     # which derivation it has, of those in a file each, where it has one of its own
     derived_by: ClassVar[str] = ""
     # whether it is where a measure, which it names, comes to rest
     is_place_of_rest: ClassVar[bool] = False
+    # whether it asks if something is so of a motion
+    asks_whether: ClassVar[bool] = False
     # whether the equilibrium that is meant is a stable one, where there are several
     is_about_stable: ClassVar[bool] = False
 
@@ -255,6 +261,40 @@ class Quantity:
     def reason(self) -> Sentence | None:
         """Why it is what it is, said before it is written in the forces that are known by then."""
         return None
+
+    @property
+    def named_measure(self) -> tuple[str, int] | None:
+        """The name of the measure that it is, and whether its value (0), its rate (1) or its acceleration (2)."""
+        return None
+
+    @property
+    def at_rest(self) -> Quantity | None:
+        """What is asked of the system as it rests."""
+        return None
+
+    @property
+    def of_what_stays(self) -> Quantity | None:
+        """What it asks where nothing changes, if it is an extreme of a motion."""
+        return None
+
+    @property
+    def size_of(self) -> Quantity | None:
+        """Of the size of a number, or of the velocity or place of a point, what it is the size of."""
+        return None
+
+    def with_operands(self, changed: Callable[[Quantity], Quantity]) -> Quantity:
+        """Where it is calculated from others, the same from what these are changed to; else itself."""
+        return self
+
+    @property
+    def loads_left_out(self) -> tuple[str, ...]:
+        """Loads without which it is asked."""
+        return ()
+
+    @property
+    def asks_no_slip(self) -> bool:
+        """Whether it asks that nothing slips, in words that hold of what moves as well as of what rests."""
+        return False
 
     @property
     def is_of_parameters(self) -> bool:

@@ -102,6 +102,10 @@ questions: {it: greatest tension of rod}
         return (self.of,)
 
     @property
+    def of_what_stays(self) -> Quantity:
+        return self.of
+
+    @property
     def side(self) -> int:
         return 1 if self.end == "greatest" else -1
 

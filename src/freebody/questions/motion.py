@@ -78,6 +78,10 @@ questions: {it: acceleration of x}
         return tuple(dict.fromkeys(self.measure.bodies())) if self.order else ()
 
     @property
+    def named_measure(self) -> tuple[str, int]:
+        return self.name, self.order
+
+    @property
     def watched(self) -> tuple[Measure, int]:
         return self.measure, self.order
 
@@ -134,6 +138,11 @@ loads: {weight: {gravity: 9.81 m/s^2}}
 questions: {it: acceleration of ball}
 """
     may_be_conserved = True
+
+    @property
+    def size_of(self) -> OfPoint | None:
+        is_whole = self.size and self.along is None and self.basis is None
+        return replace(self, size=False) if is_whole else None
 
     @property
     def dimension(self) -> Dimension:

@@ -66,6 +66,14 @@ questions: {it: range of F that keeps it at rest}
         return angular_unit(self.dimension) if self.is_angle else str(self.dimension)
 
     @property
+    def asks_no_slip(self) -> bool:
+        return self.is_of_slip
+
+    @property
+    def loads_left_out(self) -> tuple[str, ...]:
+        return self.without
+
+    @property
     def ends(self) -> tuple[int, ...]:
         """Which ends of the values are asked for: -1 the least, 1 the largest."""
         return {"range": (-1, 1), "least": (-1,), "largest": (1,)}[self.which]
@@ -113,6 +121,10 @@ questions: {it: does it hold}
 """
     is_verdict = True
     verdict = "rest.verdict"
+
+    @property
+    def loads_left_out(self) -> tuple[str, ...]:
+        return self.without
 
 
 @dataclass(frozen=True)

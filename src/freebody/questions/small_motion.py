@@ -35,6 +35,7 @@ class SmallOscillations(Quantity, kind="small oscillations"):
     slowest, or with -1 the fastest; None: of all that oscillate."""
 
     is_told_by_principles = True
+    is_frequency = True
 
     what: Literal["frequencies", "frequency", "period"]
     measure: Measure | None = None
@@ -130,6 +131,10 @@ questions: {it: tension of rod in equilibrium}
         return self.of.unit
 
     @property
+    def at_rest(self) -> Quantity:
+        return self.of
+
+    @property
     def inner(self) -> tuple[Quantity, ...]:
         return (self.of,)
 
@@ -203,6 +208,7 @@ class Damping(OfSmallMotion, kind="damping"):
 
     what: Damped
 
+    is_told_by_principles_of_one = True
     example = """
 parameters: {m: 2 kg, k: 200 N/m, c: 4 N s/m}
 bodies: {block: {particle: {mass: m}}}

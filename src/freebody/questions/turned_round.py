@@ -135,6 +135,11 @@ questions: {it: value of F for which acceleration of x = a}
         return (self.of,)
 
     @property
+    def of_what_stays(self) -> Quantity | None:
+        plain = self.of.of_what_stays
+        return None if plain is None else replace(self, of=plain)
+
+    @property
     def is_of_state(self) -> bool:
         return self.of.is_of_state
 

@@ -42,6 +42,7 @@ questions: {it: whether crate slips}
     is_verdict = True
     verdict = "whether.verdict"
     derived_by = "whether"
+    asks_whether = True
 
     @property
     def is_of_whole(self) -> bool:

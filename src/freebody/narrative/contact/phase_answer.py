@@ -26,7 +26,7 @@ from freebody.questions.course import Change, EnergyLost, Revolutions, Travelled
 from freebody.questions.energy import Energy as EnergyOf
 from freebody.questions.gathered_impulse import GatheredImpulse
 from freebody.questions.loads import Work
-from freebody.questions.motion import OfMeasure, rates_of
+from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
 from freebody.study.answering.passage import NumericPassage, drivers
@@ -330,9 +330,9 @@ def _instant(
     used = tuple(dict.fromkeys((*found, *_lines_of(leg, end, *general))))
     assert answer.expression is not None
     coordinates = leg.phase.model.coordinates
-    asked_of = way.question.quantity
-    if isinstance(asked_of, OfMeasure) and asked_of.name in way.system.measures:
-        left = rates_of(asked_of.name, asked_of.order)
+    measured = way.question.quantity.named_measure
+    if measured is not None and measured[0] in way.system.measures:
+        left = rates_of(*measured)
     elif shown in [rates_of(c.name, order) for c in coordinates for order in (0, 1)]:  # x' = ..., not v = x' = ...
         left = shown
     sides = (left, shown, answer.expression) if shown not in (left, answer.expression) else (left, answer.expression)

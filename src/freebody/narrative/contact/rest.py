@@ -57,7 +57,7 @@ class _RestTelling:
     """One question about rest, while it is told."""
 
     def __init__(self, context: Context, question: Question, answer: Answer) -> None:
-        if isinstance(question.quantity, (RestLimit, Holds)) and question.quantity.without:
+        if question.quantity.loads_left_out:
             raise CannotAnswer(Message("of what rests without one of its loads no derivation is written yet"))
         self.context = context
         self.question = question

@@ -28,7 +28,6 @@ from freebody.narrative.principles.sides import balanced
 from freebody.narrative.questions.small_readers import SmallMotions
 from freebody.questions.motion import rates_of
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import Damping
 from freebody.study.answering.answer import Answer
 from freebody.study.eom import primitive_part
 from freebody.symbolic.equilibrium import find_equilibrium
@@ -85,7 +84,9 @@ class SmallTelling:
     def may_be_told_by_principles(self) -> bool:
         """Whether what is linear at rest is enough: for frequencies, and for the damping of one coordinate."""
         quantity = self.question.quantity
-        return quantity.is_told_by_principles or (isinstance(quantity, Damping) and len(self.model.coordinates) == 1)
+        return quantity.is_told_by_principles or (
+            quantity.is_told_by_principles_of_one and len(self.model.coordinates) == 1
+        )
 
     def principles(self) -> None:
         """Where the equations of motion are too long to write: why those of first order are enough, and what holds."""

@@ -17,7 +17,6 @@ from freebody.questions.base import Quantity
 from freebody.questions.extent import Extent, ExtremeOfMotion
 from freebody.questions.freedom import DegreesOfFreedom
 from freebody.questions.greatest_section import GreatestInRod
-from freebody.questions.motion import OfMeasure
 from freebody.questions.period import Period
 from freebody.questions.reading import Question
 from freebody.questions.section import SectionForce
@@ -179,13 +178,14 @@ class FindingByKind:
         None."""
         from freebody.study.answering.numbers import rates_seen
 
-        if q.side < 0 or not isinstance(q.of, OfMeasure) or q.of.order != 1 or not self.setup.has_values:
+        watched, measured = q.of.watched, q.of.named_measure
+        if q.side < 0 or watched is None or measured is None or measured[1] != 1 or not self.setup.has_values:
             return None
         try:
-            low, high = rates_seen(self.setup.draws[0], q.of.measure)
+            low, high = rates_seen(self.setup.draws[0], watched[0])
         except CannotAnswer:
             return None
-        size = Calculated(Call("abs", Symbol("Q1")), (("Q1", q.of),), q.of.dimension, f"|rate({q.of.name})|")
+        size = Calculated(Call("abs", Symbol("Q1")), (("Q1", q.of),), q.of.dimension, f"|rate({measured[0]})|")
         return replace(q, of=size) if high <= ROUND_OFF * abs(low) else None
 
     # -- small oscillations and equilibrium ---------------------------------------------------

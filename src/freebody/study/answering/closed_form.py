@@ -16,7 +16,6 @@ from freebody.language.sentences import Message, further
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.event_base import QuestionEvent
-from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.happening import (
     ExistingEquilibrium,
     ExistingSteadyMotion,
@@ -25,7 +24,7 @@ from freebody.questions.happening import (
 )
 from freebody.questions.motion import OfMeasure, Staying
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import OfSmallMotion, RestValue, SmallOscillations
+from freebody.questions.small_motion import OfSmallMotion
 from freebody.study.answering import about_rest
 from freebody.study.answering.answer import ITS_RATE, Answer, Evidence, Value, made, point_moves
 from freebody.study.answering.at_events import FindingAtEvents
@@ -52,7 +51,8 @@ _MOST_READ = 150  # operations of a frequency that is told in one piece where it
 def with_verdict(setup: Setup, question: Question, found: Answer) -> Answer:
     """What numbers say of a question that asks whether, where there is no formula, and of the sign of an extreme."""
     q, event = question.quantity, question.event
-    if isinstance(q, ExtremeOfMotion) and event is not None and not found.is_missed and found.value is not None:
+    is_extreme = q.of_what_stays is not None and q.wanted is None
+    if is_extreme and event is not None and not found.is_missed and found.value is not None:
         from freebody.study.answering.extremes_until import said_of_sign
 
         return replace(found, notes=(*found.notes, *said_of_sign(setup, q, event)))
@@ -102,7 +102,7 @@ class QuestionSolver(FindingAtEvents):
     def _is_unread(self, found: Finding) -> bool:
         """Whether it is a frequency whose formula nobody would read."""
         q, x = self.question.quantity, found.element
-        return isinstance(q, SmallOscillations) and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
+        return q.is_frequency and isinstance(x, Ratio) and n_operations(tidy(x)) > _MOST_READ
 
     def _otherwise(self) -> Answer | None:
         """Where no closed form is found: by a chain, in the pose of the start or at a place in numbers, else as whoever
@@ -285,7 +285,7 @@ class QuestionSolver(FindingAtEvents):
             formula = QuestionSolver(setup, asked)
             found = formula._find()
             is_of_turn = formula.question.quantity.is_of_turn
-            is_elsewhere = formula.setup is not setup and (q.of.scope == "instant" or isinstance(q.of, RestValue))
+            is_elsewhere = formula.setup is not setup and (q.of.scope == "instant" or q.of.at_rest is not None)
             # over a turn that of the motion without its drive, at rest that of the pose with the load that balances
             setup = formula.setup if is_of_turn or is_elsewhere else setup
             roots = _roots(q.of, found.element)

@@ -8,6 +8,7 @@ from collections.abc import Sequence
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.present.lines import number_text
+from freebody.questions.base import Quantity
 from freebody.questions.event import AskedEvent
 from freebody.questions.extent import ExtremeOfMotion
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken
@@ -50,8 +51,9 @@ def find(
     return Finding(value, evidence, conditions, notes, list(reached.says))
 
 
-def said_of_sign(setup: Setup, q: ExtremeOfMotion, event: AskedEvent) -> tuple[str, ...]:
+def said_of_sign(setup: Setup, q: Quantity, event: AskedEvent) -> tuple[str, ...]:
     """How large that gets which is never positive at the given numbers: its greatest value has the least size."""
+    assert isinstance(q, ExtremeOfMotion)
     if q.side < 0 or not setup.has_values:
         return ()
     try:

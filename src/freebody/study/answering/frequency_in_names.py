@@ -47,8 +47,9 @@ def frequency_in_names(setup: Setup, question: Question) -> Answer | None:
     """About the start, where that is an equilibrium of one freedom; None for other questions, starts and loads. Raises
     CannotAnswer where the names have no formulas, or it does not oscillate."""
     q, model = question.quantity, setup.model
-    if not isinstance(q, SmallOscillations) or not _has_names(setup, question):
+    if not q.is_frequency or not _has_names(setup, question):
         return None
+    assert isinstance(q, SmallOscillations)
     (c,) = model.coordinates
     names = _Names.of(setup, {c.index: setup.start.of(c.index)})
     pulls = names.pulls()
@@ -77,8 +78,9 @@ def frequency_about_a_found_rest(setup: Setup, question: Question) -> Answer | N
     """About the equilibrium nearest to the start, of which the place is known in numbers alone: the formula in the
     angles there. None for other questions, and where it does not come to the frequency of the full system."""
     q = question.quantity
-    if not isinstance(q, SmallOscillations) or not setup.has_values or not _has_names(setup, question):
+    if not q.is_frequency or not setup.has_values or not _has_names(setup, question):
         return None
+    assert isinstance(q, SmallOscillations)
     with suppress(*NO_FORM, ArithmeticError, ValueError, KeyError):  # of the root of a stiffness that is negative
         names = _Names.of(setup, {})
         if (pulls := names.pulls()) and (found := names.frequency(q, pulls)) is not None:

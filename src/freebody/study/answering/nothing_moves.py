@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from dataclasses import replace
 
-from freebody.questions.extent import ExtremeOfMotion
 from freebody.questions.reading import Question
-from freebody.questions.turned_round import ValueFor
 from freebody.study.setup import Setup
 from freebody.system.modes import depends_on_time
 
@@ -14,12 +12,10 @@ from freebody.system.modes import depends_on_time
 def of_what_stays(setup: Setup, question: Question) -> Question:
     """A question about an extreme as one about the quantity itself, where that is the same all the time: in a frame, a
     truss, a beam whose loads do not change."""
-    q = question.quantity
-    asked = q.of if isinstance(q, ValueFor) else q
-    if not isinstance(asked, ExtremeOfMotion) or question.event is not None or question.transition is not None:
+    plain = question.quantity.of_what_stays
+    if plain is None or question.event is not None or question.transition is not None:
         return question
     system = setup.system
     if system.bounds or system.dry_friction or depends_on_time(system) or setup.model.coordinates:
         return question
-    plain = replace(q, of=asked.of) if isinstance(q, ValueFor) else asked.of
     return replace(question, quantity=plain)

@@ -31,7 +31,6 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
-from freebody.questions.arithmetic import Calculated
 from freebody.questions.at_events import AtEvent
 from freebody.questions.base import Quantity
 from freebody.questions.clock import ENDLESS
@@ -110,8 +109,8 @@ def _with_changes(system: System, q: Quantity, solve: Solver) -> Quantity:
     """With the events of what is calculated at several instants found as that of a question is."""
     if isinstance(q, AtEvent) and isinstance(q.event, ChangeEvent):
         return replace(q, event=_since_start(system, q.event, solve)[0])
-    if isinstance(q, Calculated) and any(isinstance(one, AtEvent) for one in q.inner):
-        return replace(q, operands=tuple((name, _with_changes(system, one, solve)) for name, one in q.operands))
+    if any(isinstance(one, AtEvent) for one in q.inner):
+        return q.with_operands(lambda one: _with_changes(system, one, solve))
     return q
 
 

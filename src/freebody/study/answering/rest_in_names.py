@@ -18,7 +18,6 @@ from freebody.measures.base import Measure
 from freebody.model.elements import ConstraintRow, NonholonomicForm
 from freebody.questions.base import Quantity
 from freebody.questions.reading import Question
-from freebody.questions.small_motion import RestValue
 from freebody.study.answering import loops
 from freebody.study.answering.about_rest import balancing, is_given_pose, open_loads
 from freebody.study.answering.answer import Answer, made
@@ -40,11 +39,10 @@ from freebody.symbolic.validity import texts
 
 def answer_at_rest(setup: Setup, question: Question) -> Answer | None:
     """What is asked of forces in the pose of the start, where a load balances the others; None for other questions."""
-    is_of_rest = isinstance(question.quantity, RestValue)
-    q = question.quantity.of if isinstance(question.quantity, RestValue) else question.quantity
+    q = question.quantity.at_rest or question.quantity
     if question.event is not None or question.options or q.scope != "instant" or not q.is_of_state:
         return None
-    if q.kinematic_order is not None or not (is_of_rest or setup.model.dynamics.moves_no_mass):
+    if q.kinematic_order is not None or not (q is not question.quantity or setup.model.dynamics.moves_no_mass):
         return None
     return next((found for name in open_loads(setup) if (found := _answer(setup, question, name, q)) is not None), None)
 

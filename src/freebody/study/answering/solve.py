@@ -18,7 +18,6 @@ from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
 from freebody.questions.rest import RestLimit
-from freebody.questions.whether import Whether
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import resting_start
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
@@ -143,7 +142,7 @@ def _solved(system: System, questions: Sequence[Question], setup: Setup | None) 
 
 def _of_motion(system: System, question: Question) -> Question:
     """A question that is read as one about rest, where there is none."""
-    if not isinstance(question.quantity, RestLimit):
+    if not question.quantity.asks_no_slip:
         return question
     from freebody.study.friction.answers import of_motion
 
@@ -234,7 +233,7 @@ def _in_smooth_motion(setup: Setup, question: Question) -> Answer:
 
 def _is_of_happening(question: Question) -> bool:
     """Whether it asks if something happens in a motion, or for the parameters with which it does."""
-    if isinstance(question.quantity, Whether):
+    if question.quantity.asks_whether:
         return True
     wanted = question.quantity.wanted
     return wanted is not None and isinstance(wanted.of, Happening) and wanted.of.is_of_state
@@ -311,7 +310,7 @@ def _is_of_changes(system: System, q: Question) -> bool:
     not the blow of the start."""
     if is_of_start(q.quantity) and not system.is_struck:
         return True
-    if q.transition is not None or isinstance(q.quantity, Whether):
+    if q.transition is not None or q.quantity.asks_whether:
         return True
     return q.quantity.wanted is not None and isinstance(q.quantity.wanted.of, Happening)
 

@@ -24,7 +24,6 @@ from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.clock import Clock
 from freebody.questions.event import AskedEvent
-from freebody.questions.motion import OfMeasure
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real
@@ -214,13 +213,13 @@ def _turned(setup: Setup, question: Question, quantity: Wanted, formula: Formula
             raise SoInRange(told)
         raise CannotAnswer(for_every(setup.system, setup.system.parameters[name], question.text))
     if index not in model.field.ingredients(element):
-        of = quantity.of
-        if isinstance(of, OfMeasure) and of.order == 0 and question.event is None:
+        measured = quantity.of.named_measure
+        if measured is not None and measured[1] == 0 and question.event is None:
             told = Message(
                 "where it starts does not depend on {name}. Where it rests may: value of {name} for which equilibrium "
                 "of {x} = ...",
                 name=name,
-                x=of.name,
+                x=measured[0],
             )
             raise CannotAnswer(told)
         raise CannotAnswer(Message("that does not depend on {name}", name=name))

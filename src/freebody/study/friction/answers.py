@@ -82,8 +82,9 @@ def of_motion(system: System, question: Question) -> Question:
     """That nothing slips, asked of the motion where some body is driven along a direction in which nothing resists, or
     rolls beside a drive, so that there is no rest; else the question as it is."""
     q = question.quantity
-    if not isinstance(q, RestLimit) or not q.is_of_slip:
+    if not q.asks_no_slip:
         return question
+    assert isinstance(q, RestLimit)
     rest = prepared(left_alone(system, q))
     draw = rest.setup.draws[0]
     is_led = False
@@ -106,7 +107,7 @@ def answer(system: System, question: Question) -> Answer:
 
 def left_alone(system: System, quantity: Quantity) -> System:
     """The system without the loads that a question about rest leaves out."""
-    without = quantity.without if isinstance(quantity, (RestLimit, Holds)) else ()
+    without = quantity.loads_left_out
     if not without:
         return system
     return replace(system, applied_loads=tuple(p for p in system.applied_loads if p.load not in without))

@@ -20,7 +20,6 @@ from freebody.questions.clock import Clock
 from freebody.questions.event import Peak
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.reading import Question
-from freebody.questions.whether import Whether
 from freebody.study.answering.answer import Answer, AnswerCase, Evidence, Value, made
 from freebody.study.answering.comparing import which_is_greater
 from freebody.study.answering.crosscheck import TooLittleCompared
@@ -60,7 +59,7 @@ NOT_UNTIL = Message(
 def answer(tree: PhaseTree, question: Question) -> Answer:
     """The answer, or the reason why there is none."""
     system = tree.system
-    turned = question.quantity.wanted is not None or isinstance(question.quantity, Whether)
+    turned = question.quantity.wanted is not None or question.quantity.asks_whether
     instead = None if turned else partial(number_with_changes, system, question, is_single=tree.is_single)
     with tree.for_one_question():
         return answered(system, question, lambda: _by_cases_or_at_rest(tree, question), instead)
@@ -83,10 +82,10 @@ def _by_cases(tree: PhaseTree, question: Question) -> Answer:
                 Message("this asks how {body} is turned, which formulas leave open for a ball", body=body)
             )
     wanted = question.quantity.wanted
-    if isinstance(question.quantity, Whether):
+    if question.quantity.asks_whether:
         from freebody.study.phases.whether import answer as whether
 
-        return whether(tree, question, question.quantity.of)
+        return whether(tree, question)
     if wanted is not None:
         from freebody.study.phases import turned_round
 

@@ -13,8 +13,9 @@ from freebody.errors import CannotAnswer
 from freebody.language.expression import number
 from freebody.language.notation import joined
 from freebody.language.sentences import Message
-from freebody.questions.happening import Happening, Lasting
+from freebody.questions.happening import Lasting
 from freebody.questions.reading import Question
+from freebody.questions.whether import Whether
 from freebody.study.answering.answer import Answer, made
 from freebody.study.answering.crosscheck import CrossCheck
 from freebody.study.friction.holding import unit_of
@@ -31,8 +32,10 @@ _LOOKED_AT = 12  # sets of numbers that are simulated, where fewer have come out
 _RELATIONS = {">": np.greater, ">=": np.greater_equal, "!=": np.not_equal}
 
 
-def answer(tree: PhaseTree, question: Question, happening: Happening) -> Answer:
+def answer(tree: PhaseTree, question: Question) -> Answer:
     """Raises CannotAnswer where the part of the model's own values does not tell."""
+    assert isinstance(question.quantity, Whether)
+    happening = question.quantity.of
     system = tree.system
     cases = happening_cases(tree, happening)
     if not cases:

@@ -9,9 +9,7 @@ from __future__ import annotations
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Call, Symbol
 from freebody.language.sentences import Message
-from freebody.questions.arithmetic import Calculated
 from freebody.questions.base import Quantity
 from freebody.questions.motion import OfPoint
 from freebody.questions.vectors import axes_of
@@ -24,12 +22,9 @@ from freebody.symbolic.ratio import Ratio
 
 def signed(setup: Setup, q: Quantity) -> Quantity | None:
     """What has the size that is asked for, where that is one component; else None."""
-    if isinstance(q, Calculated) and len(q.operands) == 1:
-        name, of = q.operands[0]
-        return of if q.form == Call("abs", Symbol(name)) else None
-    if not isinstance(q, OfPoint) or not q.size or q.along is not None or q.basis is not None:
-        return None
-    f, plain = setup.model.field, replace(q, size=False)
+    f, plain = setup.model.field, q.size_of
+    if not isinstance(plain, OfPoint) or plain.along is not None:  # no vector
+        return plain
     parts = [f.element(x) for x in plain.value(setup.system, setup.state)]
     moving = [axis for axis, x in zip(axes_of(setup.system), parts, strict=True) if not x.is_zero()]
     return replace(plain, along=moving[0]) if len(moving) == 1 else None
