@@ -49,3 +49,23 @@ def test_a_value_that_holds_while_nothing_slips() -> None:
     page = told(SPOOL, "value of beta for which acceleration of x = 0")
     assert "β_req" in page
     assert "cos" in page
+
+
+BALL_ON_A_CORD = """
+parameters: {m: 1 kg, L: 1 m, v0: 6 m/s, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {cord: {string: {from: ground.O, to: ball, length: L}}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of cord from down}}
+start: {theta: 0, rate(theta): v0/L}
+"""
+
+
+def test_a_string_of_given_length_is_drawn_cut_and_goes_slack_as_it_cannot_push() -> None:
+    system = fb.System.from_text(BALL_ON_A_CORD)
+    assert "tension T, up" in system.free_body("ball").description
+    told = " ".join(fb.explain(system, "theta when cord goes slack").to_text().split())
+    assert "the system moves until cord goes slack" in told
+    assert "cord cannot push: the phase ends when its tension falls to zero" in told
+    assert "contacts are counted" not in told

@@ -107,11 +107,11 @@ def _when(question: Question, system: System) -> Argument:
         return Sentence(f"ask.{word}_transition", {"text": question.transition.text})
     if question.event is None:
         return NOTHING
+    if isinstance(question.event, Anywhere):
+        return Sentence("ask.function", {"of": Symbol(question.event.name)})
     if isinstance(question.event, Clock):
         time = question.event.time
         return Sentence("ask.endless") if time is None else Sentence("ask.clock", {"time": time})
-    if isinstance(question.event, Anywhere):
-        return Sentence("ask.function", {"of": question.event.value})
     if isinstance(question.event, ExtremeEvent):
         of = None if question.event.quantity is None else question.event.quantity.sentence(system)
         what = parse(question.event.phrase) if question.event.phrase in system.measures else question.event.phrase
