@@ -349,6 +349,8 @@ def vanishing(glossary: Glossary, e: Expr) -> Expr:
         return e
     sums = [factor for factor in e.factors if isinstance(factor, Sum)]
     world = next(iter(glossary.worlds("event")))
+    if (zero := next((s for s in e.factors if isinstance(s, Symbol) and world.of(s)[0] == 0), None)) is not None:
+        return zero
     return min(sums, key=lambda s: abs(world.of(s)[0]) / (world.scale([s]) or 1.0)) if sums else e
 
 
