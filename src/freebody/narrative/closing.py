@@ -89,7 +89,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
 
 def _other_cases(context: Context, script: Script, answer: Answer) -> None:
     """What it is where the parameters, or the time, are out of the range of the case that is derived."""
-    others = [case for case in answer.cases if case.conditions and case.conditions != answer.conditions]
+    others = [case for case in answer.cases if case.conditions and case.expression != answer.expression]
     if not others:
         return
     script.say("result.other_cases")
