@@ -6,8 +6,10 @@ the law of friction, the motion, and the event that ends it with the state there
 
 from __future__ import annotations
 
+from itertools import compress
+
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, add, negate
+from freebody.language.expression import Expr, add, n_operations, negate
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
@@ -20,6 +22,7 @@ from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import own_symbols, written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, ready
+from freebody.narrative.questions.blow import MOST_OPERATIONS
 from freebody.questions.blow import EnergyLostInBlow
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
@@ -146,7 +149,8 @@ def _value_behind(
         key, middle = "impact.with", tuple[Expr, ...]()
         if isinstance(q, EnergyLostInBlow):
             key, middle = "impact.lost", (_energies_beside(way, leg),)
-        sides = (left, *(side for side in middle if side != answer.expression), answer.expression)
+        is_short = [side != answer.expression and n_operations(side) <= MOST_OPERATIONS for side in middle]
+        sides = (left, *compress(middle, is_short), answer.expression)
         script.line(*sides, why=key, args={"lines": uses}, uses=uses, when="start")
     return script.stages
 
