@@ -49,3 +49,68 @@ def test_a_value_that_holds_while_nothing_slips() -> None:
     page = told(SPOOL, "value of beta for which acceleration of x = 0")
     assert "β_req" in page
     assert "cos" in page
+
+
+BALL_ON_A_CORD = """
+parameters: {m: 1 kg, L: 1 m, v0: 6 m/s, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0]}}
+bodies: {ball: {particle: {mass: m}}}
+connections: {cord: {string: {from: ground.O, to: ball, length: L}}}
+loads: {weight: {gravity: g}}
+measures: {theta: {angle of cord from down}}
+start: {theta: 0, rate(theta): v0/L}
+"""
+
+
+def test_a_string_of_given_length_is_drawn_cut_and_goes_slack_as_it_cannot_push() -> None:
+    system = fb.System.from_text(BALL_ON_A_CORD)
+    assert "tension T, up" in system.free_body("ball").description
+    told = " ".join(fb.explain(system, "theta when cord goes slack").to_text().split())
+    assert "the system moves until cord goes slack" in told
+    assert "cord cannot push: the phase ends when its tension falls to zero" in told
+    assert "contacts are counted" not in told
+
+
+SLIDER_CRANK = """
+parameters: {m1: 1 kg, m2: 2 kg, m3: 3 kg, r: 0.1 m, l: 0.3 m, T: 5 N m}
+ground: {points: {O: [0, 0]}, lines: {cylinder: {along: right}}}
+bodies:
+  crank: {rod: {mass: m1, length: r}}
+  rod: {rod: {mass: m2, length: l}, near: {angle: 0}}
+  piston: {particle: {mass: m3}}
+connections:
+  main: {pin: [ground.O, crank.start]}
+  crankpin: {pin: [crank.end, rod.start]}
+  wristpin: {pin: [rod.end, piston]}
+  cylinder: {slider: {body: piston, along: cylinder}}
+loads: {drive: {torque: {on: crank, magnitude: T}}}
+measures: {theta: {angle of crank}, phi: {angle of rod clockwise}}
+start: {theta: 60 deg}
+"""
+
+
+def test_a_torque_that_must_vanish_is_told_to() -> None:
+    told = fb.explain(fb.System.from_text(SLIDER_CRANK), "torque to hold")
+    assert told.is_complete  # 0 = T cos(phi) holds for T = 0, not for cos(phi) = 0
+    text = told.to_text()
+    assert "T = 0" in text
+    assert "every contact force must satisfy its law" not in text  # nothing touches
+
+
+HOIST = """
+parameters: {I: 0.3 kg m^2, R: 0.1 m, m: 20 kg, r: 0.15 m, T: 15 N m, g: 9.81 m/s^2}
+ground: {points: {O: [0, 0], ceiling: [2*r - R, R]}}
+bodies: {drum: {body: {inertia: I, radius: R}}, block: {disk: {radius: r}}, load: {particle: {mass: m}}}
+connections:
+  axle: {pin: [ground.O, drum]}
+  rope: {string: {path: [wound on drum at left, under block, ground.ceiling]}}
+  hook: {string: {from: block, to: load}}
+loads: {weight: {gravity: g}, motor: {torque: {on: drum, magnitude: T}}}
+measures: {y: {height of load}}
+"""
+
+
+def test_a_force_that_names_a_point_by_its_line_of_action_is_introduced() -> None:
+    text = fb.explain(fb.System.from_text(HOIST), "tension of rope at drum").to_text()
+    assert "lines of action of T_block and H_rope" in " ".join(text.split())
+    assert "H_rope — " in text

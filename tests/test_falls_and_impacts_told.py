@@ -7,8 +7,9 @@ import math
 import pytest
 
 import freebody as fb
-from freebody.language.expression import Symbol
+from freebody.language.expression import FLOAT_FUNCTIONS, Symbol, evaluate
 from freebody.language.notation import to_text
+from freebody.narrative.sharing import lines_of
 from freebody.study.setup import Setup
 from freebody.symbolic.functions import functions
 from freebody.symbolic.tidy import tidy
@@ -216,3 +217,44 @@ start: {p: 10 deg, q: 0}
 """
     with pytest.raises(fb.ModelError, match="cannot read 'stability of the equilibrium p = 180 deg'"):
         asked(text, "stability of the equilibrium p = 180 deg")  # upside down it is unstable, near the start it is not
+
+
+TWO_BALLS = """
+parameters: {m1: 1 kg, m2: 2 kg, d: 1 m, v0: 3 m/s, e: {value: 0, sign: any}}
+bodies: {A: {particle: {mass: m1}}, B: {particle: {mass: m2}, at: [d, 0]}}
+connections:
+  rail_A: {slider: {body: A, along: right}}
+  rail_B: {slider: {body: B, along: right}}
+  hit: {contact: {between: [A, B], restitution: e}}
+measures: {x_A: x of A, x_B: x of B}
+start: {x_A: 0, x_B: d, rate(x_A): v0, rate(x_B): 0}
+"""
+
+
+def test_what_an_impact_takes_is_told_by_the_energies_before_and_after() -> None:
+    told = fb.explain(fb.System.from_text(TWO_BALLS), "energy lost in the impact")
+    text = " ".join(told.to_text().split())
+    assert "Energy lost in the impact" in text
+    assert "hit stays closed after the impact only if the coefficient of restitution is zero" in text
+    assert "tried before" not in text
+    assert "(n)" not in text
+    last = lines_of(told.derivations[0].stages)[-1]
+    numbers = {"m1": 1.0, "m2": 2.0, "v0": 3.0, "e": 0.0}
+    assert len(last.sides) == 3  # Q, the difference, what it comes to
+    # 1 kg (3 m/s)^2/2 before, 3 kg (1 m/s)^2/2 after
+    assert [evaluate(side, numbers, FLOAT_FUNCTIONS) for side in last.sides[1:]] == pytest.approx([3.0, 3.0])
+
+
+def test_a_velocity_after_a_blow_is_not_told_by_a_connection() -> None:
+    text = """
+parameters: {m: 3 kg, R: 0.2 m, h: {value: 60 mm, sign: any}, J: 9 N s, mu: 0.25, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {disk: {disk: {mass: m, radius: R}, points: {mark: [0, h]}}}
+connections: {contact: {contact: {between: [disk, floor], friction: mu}}}
+loads: {weight: {gravity: g}, hammer: {impulse: {at: disk.mark, along: right, magnitude: J}}}
+measures: {x: {x of disk}, turn: {angle of disk clockwise}}
+start: {x: 0, rate(x): 0, turn: 0, rate(turn): 0}
+"""
+    told = fb.explain(fb.System.from_text(text), "velocity of x at start").to_text()
+    assert "law of the connection" not in told
+    assert "Just after the blow, with" in told

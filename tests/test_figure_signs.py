@@ -10,6 +10,7 @@ import pytest
 import freebody as fb
 from freebody.errors import ModelError
 from freebody.language.expression import Expr, evaluate
+from freebody.present.pen import full_height
 from freebody.present.picture.picture import Picture
 from freebody.present.picture.shapes import Ink, Shape
 from freebody.present.scene import Scene
@@ -347,3 +348,29 @@ loads: {couple: {torque: {on: bar.C, magnitude: M}}}
     (couple,) = (force for force in free.forces() if force.name == "couple")
     assert np.hypot(*couple.at) == pytest.approx(1.0)  # from the middle of the bar
     assert texts(picture(system))
+
+
+TWO_LOADS = """
+ground: {points: {A: [0, 0], B: [6 m, 0]}}
+bodies: {beam: {rod: {length: 6 m}, angle: 0, at: {start: [0, 0]}, points: {C: [0, 0]}}}
+connections: {A: {pin: [ground.A, beam.start]}, B: {slot: {pin: beam.end, through: ground.B, along: right}}}
+loads:
+  left: {distributed: {between: [beam.start, beam.C], along: down, intensity: 2 kN/m}}
+  right: {distributed: {between: [beam.C, beam.end], along: down, intensity: 5 kN/m}}
+"""
+
+
+def test_loads_along_a_line_compare_by_their_heights() -> None:
+    lines = [s.points for s in picture(fb.System.from_text(TWO_LOADS)).shapes if s.stroke and s.stroke.color == "force"]
+    level = [line for line in lines if len(line) > 2 and float(np.ptp(line[:, 1])) < 1e-6]  # over the tails
+    (left, low), (right, high) = sorted((float(line[:, 0].mean()), float(line[0, 1])) for line in level)
+    assert left < right
+    assert low < high
+
+
+@pytest.mark.parametrize(
+    ("own", "full"),
+    [((2.0, 2.0), 5.0), ((5.0, 0.0), 5.0), ((-0.1, 0.0), 0.25), ((0.0, 0.0), 1.0)],  # 0.1 stands 2/5 as high as 5
+)
+def test_a_small_load_is_low_but_seen(own: tuple[float, float], full: float) -> None:
+    assert full_height(own, [own, (2.0, 5.0)]) == pytest.approx(full)

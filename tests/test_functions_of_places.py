@@ -9,7 +9,7 @@ import pytest
 from tests.conftest import Agree
 
 import freebody as fb
-from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate
+from freebody.language.expression import FLOAT_FUNCTIONS, Expr, evaluate, free_symbols
 from freebody.language.notation import to_text
 from freebody.narrative.sharing import lines_of
 
@@ -227,9 +227,29 @@ start: {x: 0, rate(x): v0}
     assert at_rest.conditions == ("t ≥ v₀/(μ·g)",)
 
 
-def test_the_way_to_a_function_of_the_time_is_told_for_one_instant_and_then_for_all() -> None:
+def test_the_way_to_a_function_of_the_time_ends_in_its_law() -> None:
     told = fb.explain(fb.System.from_text(THROWN), "y as a function of t")
     assert told.is_complete
-    assert "Let t₁ be any time since the start" in told.to_text()
+    assert "y as a function of t" in told.to_text()
+    assert "any time since the start" not in told.to_text()  # its law says it at every time
     last = lines_of(told.derivations[0].stages)[-1]
-    assert [to_text(side) for side in last.sides] == ["y", "t·(2·v₀·sin(β) - g·t)/2"]
+    assert to_text(last.sides[0]) == "y"
+    assert not free_symbols(last.sides[-1]) - {"v0", "beta", "g", "t"}
+
+
+def test_an_instant_is_not_called_as_the_duration_of_a_phase() -> None:
+    text = """
+parameters: {m: 2 kg, v0: 3 m/s, mu: 0.3, g: 9.81 m/s^2}
+ground: {lines: {floor: {along: right}}}
+bodies: {block: {particle: {mass: m}}}
+connections: {floor: {contact: {between: [block, ground.floor], friction: mu}}}
+loads: {weight: {gravity: g}}
+measures: {x: x of block}
+start: {x: 0, rate(x): v0}
+"""
+    told = fb.explain(fb.System.from_text(text), "x as a function of t").to_text()
+    assert "Let t_a be any time since the start, and consider the instant t = t_a." in told
+    assert "t_1 = t_a" in told
+    assert told.count("In the other cases it is") == 1  # at rest, v0^2/(2 mu g)
+    assert told.count(", if t") == 1  # the case itself is not among them
+    assert "v0²/(2·μ·g), if t ≥ v0/(μ·g)" in told.replace("₀", "0")

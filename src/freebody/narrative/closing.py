@@ -11,7 +11,7 @@ from freebody.errors import CannotAnswer, ExpressionError, UnitError
 from freebody.language.expression import Expr, Number, Symbol
 from freebody.language.notation import Stated, compared
 from freebody.language.raising import raised
-from freebody.language.sentences import Sentence
+from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import TIME, dimension_of
 from freebody.narrative.bounds import with_unit
 from freebody.narrative.contact.settings import has_phases
@@ -69,6 +69,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     if answer.conditions and scope != "every motion" and not (scope == "sections" and answer.cases):
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(with_unit(context, c) for c in answer.conditions))
+        _other_cases(context, script, answer)
     script.add_all(limiting_cases(context, question, answer))
     says_number = _is_whole(answer)  # its unit and value stand there already
     if answer.unit not in ("", "1") and not answer.verdict and not says_number:
@@ -87,6 +88,19 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     notes = [note for note in answer.notes if not _is_derived(note)]
     if notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in notes)))
+
+
+def _other_cases(context: Context, script: Script, answer: Answer) -> None:
+    """What it is where the parameters, or the time, are out of the range of the case that is derived."""
+    others = [case for case in answer.cases if case.conditions and case.expression != answer.expression]
+    if not others:
+        return
+    script.say("result.other_cases")
+    items: list[Sentence] = []
+    for case in others:
+        where: tuple[Argument, ...] = tuple(with_unit(context, c) for c in case.conditions)
+        items.append(Sentence("result.case", {"value": case.expression, "conditions": where}))
+    script.add(Listing(tuple(items)))
 
 
 def _is_derived(note: str) -> bool:

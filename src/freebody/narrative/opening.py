@@ -34,7 +34,6 @@ from freebody.model.named_angles import offered_name
 from freebody.model.phrases import phrase_text
 from freebody.model.polynomials import polynomial
 from freebody.model.states import state_name
-from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import of_centre
 from freebody.narrative.lines.script import DerivationStage, Diagram, FormulaTable, Legend, Script, ready
@@ -218,7 +217,7 @@ def count_freedoms(context: Context, script: Script) -> int:
         closing = tuple(name for blow in context.system.blows for name in blow.closing)
         if closing:
             script.say("freedom.closes_later", names=closing)
-    elif has_phases(context.system):
+    elif context.system.bounds or context.system.dry_friction:
         script.say("freedom.first_phase")
     script.say("freedom.count_space" if found.space else "freedom.count")
     header = tuple(Sentence(f"system.table_{name}") for name in ("connection", "kind", "between", "constraints"))

@@ -5,7 +5,7 @@ What stands still comes first, then bodies, the larger behind the smaller, then 
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterable, Iterator, Sequence
 from itertools import pairwise
 
 import numpy as np
@@ -48,10 +48,18 @@ from freebody.present.symbols import (
 _END = 0.16  # the end of a rope, in sizes of symbols
 
 
+_LEAST_SPREAD = 0.4  # height of the lowest one, to the highest one
 SPREAD = 2.6  # height of a load along a line where it is largest, in sizes of symbols
 _WAVE = 0.6  # height of the waves of a slack string, in sizes of symbols
 _HUB = 1.8  # radius of a hub, in sizes of symbols
 _STEEP = 0.3  # sine of the angle of two surfaces between which something is drawn higher along one of them
+
+
+def full_height(sizes: Sequence[float], all_sizes: Iterable[Sequence[float]]) -> float:
+    """The size that is drawn in full height beside a load of these sizes: the largest of the picture, so that loads
+    compare by their heights; a load is never so low that nothing is seen of it."""
+    own = max(map(abs, sizes))
+    return min(max(max(map(abs, sizes)) for sizes in all_sizes), own / _LEAST_SPREAD) or 1.0
 
 
 class Pen:
@@ -364,7 +372,7 @@ class Pen:
     def _spread(self, load: Spread) -> Iterator[Stretch]:
         """Arrows side by side onto the body, under the line of their tails."""
         length = float(np.hypot(*np.subtract(load.second.xy, load.first.xy)))
-        largest = max(map(abs, load.sizes)) or 1.0
+        largest = full_height(load.sizes, (s.sizes for s in self.scene.signs if isinstance(s, glyphs.Spread)))
         n = max(3, round(length / (1.4 * self.u)))
         figure = self.scene.figure_of(load.first.body)
         near = surplus(figure, self.u) if figure is not None and len(figure.outline) == 2 else 0.0

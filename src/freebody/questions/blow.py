@@ -102,7 +102,8 @@ questions: {it: energy lost in the blow}
         return state.energy_before - Energy("kinetic").value(system, state)
 
     def sentence(self, system: Described) -> Sentence:
-        return Sentence("what.lost_in_blow_of", {"of": self.called}) if self.of else Sentence("what.lost_in_blow")
+        key = "what.lost_in_blow" if system.blows or system.is_struck else "what.lost_in_impact"
+        return Sentence(f"{key}_of", {"of": self.called}) if self.of else Sentence(key)
 
 
 @dataclass(frozen=True)

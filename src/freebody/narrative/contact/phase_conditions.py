@@ -44,6 +44,8 @@ _PURPOSES = {
     "{contact} is pressed on this side": "pressed",
     "friction forces exist": "exists",
     "no event ends it": "never",
+    "{contact} rebounds": "rebounds",
+    "{contact} does not rebound": "stays",
 }
 _HAPPENS = {"opens": "opens", "touches": "touches", "slips": "slips", "slip ends": "slip_ends"}
 

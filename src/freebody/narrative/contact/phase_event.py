@@ -55,7 +55,7 @@ def tell_event(
             return {**found, **_state(script, way, leg, told, found)}
     with script.stage("stage.phase_event", "hint.phase_event", phase=f"@{leg.number}"):
         comes = said_event(way, leg, watch)
-        key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")
+        key = happening(leg.phase, watch)
         script.say(f"event.{key}", connection=label(watch.name), event=comes)
         symbol, element = _watched(script, way, leg, watch)
         base = lines.get(watch.name, 0)
@@ -77,6 +77,15 @@ def is_endless(way: PhaseSequence, leg: PhaseSegment) -> bool:
     assert leg.first is not None
     event = _event_of(way, leg, leg.first.watch)
     return isinstance(event, Clock) and event.time is None
+
+
+def happening(phase: Phase, watch: PhaseWatch) -> str:
+    """What ends a phase, as a key of the catalogue: a string goes slack and taut where a contact opens and closes."""
+    changes = {"opens": "tension_ends", "touches": "tension_begins"}
+    is_string = any(row.name == watch.name and row.reaction == "tension" for row in phase.base.constraint_rows)
+    if is_string and watch.kind in changes:
+        return changes[watch.kind]
+    return at_border(phase, watch) or watch.kind.replace(" ", "_")
 
 
 def at_border(phase: Phase, watch: PhaseWatch) -> str:
@@ -340,6 +349,8 @@ def vanishing(glossary: Glossary, e: Expr) -> Expr:
         return e
     sums = [factor for factor in e.factors if isinstance(factor, Sum)]
     world = next(iter(glossary.worlds("event")))
+    if (zero := next((s for s in e.factors if isinstance(s, Symbol) and world.of(s)[0] == 0), None)) is not None:
+        return zero
     return min(sums, key=lambda s: abs(world.of(s)[0]) / (world.scale([s]) or 1.0)) if sums else e
 
 

@@ -6,21 +6,29 @@ the law of friction, the motion, and the event that ends it with the state there
 
 from __future__ import annotations
 
+from itertools import compress
+
 from freebody.errors import CannotAnswer
+from freebody.language.expression import Expr, add, n_operations, negate
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.contact.phase_answer import asked_side, tell_answer
 from freebody.narrative.contact.phase_blow import tell_sudden_blow
 from freebody.narrative.contact.phase_conditions import tell_conditions, tell_sticking
 from freebody.narrative.contact.phase_contacts import tell_contacts
-from freebody.narrative.contact.phase_event import at_border, is_endless, said_event, tell_event
+from freebody.narrative.contact.phase_event import happening, is_endless, said_event, tell_event
 from freebody.narrative.contact.phase_impact import tell_impact
 from freebody.narrative.contact.phase_motion import require_course, tell_motion
 from freebody.narrative.contact.phase_way import PhaseSegment, PhaseSequence, on_the_way
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import own_symbols, written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, ready
+from freebody.narrative.questions.blow import MOST_OPERATIONS
+from freebody.questions.blow import EnergyLostInBlow
+from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.phases.in_blow import after_in_formulas
+from freebody.study.phases.quantities import plain
 from freebody.study.phases.words import action, is_of_all
 from freebody.symbolic.phases.course import UniformMotion
 from freebody.symbolic.ratio import Ratio
@@ -80,6 +88,13 @@ def _tell_blow(script: Script, way: PhaseSequence, leg: PhaseSegment, before: tu
     return tell_impact(script, way, leg, before).after
 
 
+def _energies_beside(way: PhaseSequence, leg: PhaseSegment) -> Expr:
+    """The kinetic energy just before an impact less that just after."""
+    state = after_in_formulas(way.tree, leg.node, way.legs[0].node)
+    after = Energy("kinetic").value(plain(leg.phase.system), leg.phase.start_instant)
+    return add(way.shown(leg, state.energy_before), negate(way.shown(leg, after)))
+
+
 # -- just after a blow ------------------------------------------------------------------------
 def _at_first_impact(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[DerivationStage]:
     """The motion begins with an impact, and what is asked is of it or comes just after it."""
@@ -131,7 +146,12 @@ def _value_behind(
         left = asked_side(context, way, leg, script, way.question)
         assert answer.expression is not None
         uses = (*told, *(line for _v, line in values.values()))
-        script.line(left, answer.expression, why="impact.with", args={"lines": uses}, uses=uses, when="start")
+        key, middle = "impact.with", tuple[Expr, ...]()
+        if isinstance(q, EnergyLostInBlow):
+            key, middle = "impact.lost", (_energies_beside(way, leg),)
+        is_short = [side != answer.expression and n_operations(side) <= MOST_OPERATIONS for side in middle]
+        sides = (left, *compress(middle, is_short), answer.expression)
+        script.line(*sides, why=key, args={"lines": uses}, uses=uses, when="start")
     return script.stages
 
 
@@ -158,8 +178,7 @@ def _end_words(way: PhaseSequence, leg: PhaseSegment) -> Sentence:
         return Sentence("phases.lasts")
     watch = leg.first.watch
     what: Argument = said_event(way, leg, watch) if watch.kind == "is reached" else f"@{watch.connection}"
-    key = at_border(leg.phase, watch) or watch.kind.replace(" ", "_")
-    return Sentence(f"phases.until_{key}", {"connection": what})
+    return Sentence(f"phases.until_{happening(leg.phase, watch)}", {"connection": what})
 
 
 def _tell_phase(
@@ -255,6 +274,16 @@ def _after(script: Script, way: PhaseSequence) -> tuple[int, ...]:
     return tuple(found)
 
 
+def _without_forces(context: Context, question: Question) -> tuple[str, tuple[int, ...]]:
+    """Why something is so in which no force is: a law of what connects, the blow at the start, or the motion."""
+    if question.quantity.is_of_parameters and question.quantity.is_by_law:
+        return "answer.by_law", ()
+    if question.at_start:
+        after = context.after_blow if context.setup.system.is_struck else ()
+        return ("value.just_after" if after else "value.at_start"), after
+    return "value.is", ()
+
+
 # -- one instant ------------------------------------------------------------------------------
 def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: Answer) -> list[DerivationStage]:
     """In the phase in which the motion begins."""
@@ -286,7 +315,9 @@ def _at_instant(context: Context, way: PhaseSequence, script: Script, answer: An
         shown = written(general)
         key, when = ("answer.at_start", "start") if question.at_start else ("answer.at_instant", "always")
         sides = (left, answer.expression) if shown == answer.expression else (left, shown, answer.expression)
-        key, args = (key if lines else "answer.by_law"), dict[str, Argument](lines=lines)
+        if not lines:
+            key, lines = _without_forces(context, question)
+        args: dict[str, Argument] = {"lines": lines, "given": lines}
         if drawn_back is not None:
             force = tidy(f.variable(drawn_back))
             key, args, sides = "value.counted", {**args, "force": force}, (left, -force, answer.expression)

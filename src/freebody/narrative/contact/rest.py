@@ -116,6 +116,8 @@ class _RestTelling:
                 squares = [power(Symbol(symbols[row.name].name), number(2)) for row in rub.rows]
                 size = Call("abs", symbol) if rub.across is None else Call("sqrt", add(*squares))
                 found.append(Sentence("rest.friction", {"place": place, "force": size, "limit": limit}))
+        if not found:  # equilibrium alone
+            return
         with self.script.stage("stage.touching", "hint.touching"):
             self.script.say("rest.laws_along" if ends.equations.inertia else "rest.laws")
             self.script.add(Listing(tuple(found)))

@@ -140,8 +140,9 @@ class Solver:
             if u != unknown:
                 entries[u] = f.lowest_terms(entries.get(u, f.zero) - factor * x)
         rest = f.lowest_terms(row.rest - factor * given.rest)
-        made = EliminationRow(entries, rest, row.number, (*row.put_in, (unknown, given)))
-        return self.cleared(self._without_zeros(made))
+        made = self._without_zeros(EliminationRow(entries, rest, row.number, (*row.put_in, (unknown, given))))
+        # where no unknown is left, any factor may be what has to vanish
+        return self.cleared(made) if made.entries else made
 
     def taken(self, unknown: int, given: EliminationRow) -> Sentence:
         """Of what is put in, where it comes from: from a line that says what it is, or from an equation."""

@@ -242,7 +242,9 @@ class Newton:
         return frozenset() if world is None else idle_rows(world.snapshot)
 
     def _is_told(self, row: str, plan: Plan) -> bool:
-        """Whether a reaction acts, or stands in an equation."""
+        """Whether a reaction acts, or stands in an equation, or tells a point by its line of action."""
+        if any(p.centre and self.acting.symbol(row) in p.centre.words.args.values() for p in plan.principles):
+            return True
         slopes = self.acting.directions[row]
         arms = (self.acting.arm(p.weights, slopes) for p in plan.principles)
         return row not in self.idle or any(not self.model.samples.vanishes(arm) for arm in arms)

@@ -2,22 +2,25 @@
 
 Principle: the place is a parameter q1, so that the derivation of an event q = q1 is this one's as well, by a law that
 is integrated, by energy, or phase by phase; as q1 may be any place that the motion comes to, it is q again in the last
-line. The same goes for an instant t = t1.
+line. The same goes for an instant t = t_a, unless a line says what is asked at every time.
 """
 
 from __future__ import annotations
 
 from collections.abc import Sequence
+from collections.abc import Set as AbstractSet
 from contextlib import suppress
 from dataclasses import replace
 
 from freebody.errors import CannotAnswer
-from freebody.language.expression import Expr, Symbol
+from freebody.language.expression import Expr, Symbol, free_symbols
 from freebody.language.sentences import Argument, Message
+from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script, Side
 from freebody.narrative.sharing import lines_of, result_line
+from freebody.present.report.blocks import Derivative, Difference
 from freebody.questions.event import AnyInstant, Anywhere
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -42,10 +45,15 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     what = _WHAT[isinstance(event, AnyInstant)]
     with opened.stage(f"stage.{what}", f"hint.{what}"):
         opened.say(f"course.at_{what}", name=Symbol(event.name), place=place)
-    stages = [*opened.stages, *derivation_of(made, there)(alone, there, given, method)]
+    stages = derivation_of(made, there)(alone, there, given, method)
     last = result_line(stages)
     if last is None:
         raise CannotAnswer(Message("there is no closed form"))
+    if isinstance(event, AnyInstant) and not has_phases(context.system):
+        by_law = _by_its_law(stages, last.sides[0], event.name, {*context.system.parameters, event.name, "pi"})
+        if by_law is not None:
+            return by_law
+    stages = [*opened.stages, *stages]
     ends = _named_again(alone, stages, last, answer.expression, Symbol(event.name), place)
     if ends and stages[-1].title == ends[0].title:  # it goes on
         stages[-1:] = [replace(stages[-1], items=stages[-1].items + ends[0].items)]
@@ -53,7 +61,23 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     return [*stages, *ends]
 
 
+def _by_its_law(
+    stages: Sequence[DerivationStage], asked: Side, time: str, known: AbstractSet[str]
+) -> list[DerivationStage] | None:
+    """The derivation as far as the line that says what is asked at every time, in what is known; None without one."""
+    for k, stage in enumerate(stages):
+        for i, item in enumerate(stage.items):
+            law = item.sides[-1] if isinstance(item, NumberedFormula) and item.sides[0] == asked else None
+            if law is None or isinstance(law, tuple | Difference | Derivative):
+                continue
+            if time in (names := free_symbols(law)) and names <= known:
+                return [*stages[:k], replace(stage, items=stage.items[: i + 1])]
+    return None
+
+
 def _name_of(context: Context, event: Anywhere) -> Symbol:
+    if isinstance(event, AnyInstant):  # t_1 is how long the first phase lasts, and t1 looks the same
+        return context.symbol("t_a", "t_any")
     has_index = event.name[-1].isdigit() or "_" in event.name
     return context.symbol(*([] if has_index else [f"{event.name}1"]), f"{event.name}_1", f"{event.name}_there")
 

@@ -19,7 +19,7 @@ from freebody.model.elements import RATE, VALUE, ConstraintRow, NonholonomicForm
 from freebody.model.glyphs import Equation, Pin, Rail, Spread, Spring
 from freebody.present import figures
 from freebody.present.figures import Array, Place, angles, positions
-from freebody.present.pen import SPREAD
+from freebody.present.pen import SPREAD, full_height
 from freebody.present.picture.arrows import Arrows, acting_at, axes_cross
 from freebody.present.picture.bodies_free import body_label, name_beside
 from freebody.present.picture.coordinates import Coordinates
@@ -186,10 +186,10 @@ class WholeInPlane(Whole):
     def name_loads(self) -> None:
         """The intensities of a load along a line, over its ends or, where they are the same, over its middle."""
         super().name_loads()
-        for shown in self.system.glyphs:
-            if not isinstance(shown.sign, Spread):
-                continue
-            sign, (one, other) = shown.sign, shown.sign.sizes
+        spreads = [(shown.owner, shown.sign) for shown in self.system.glyphs if isinstance(shown.sign, Spread)]
+        all_sizes = [tuple(map(self.places.number, sign.sizes)) for _owner, sign in spreads]
+        for owner, sign in spreads:
+            one, other = sign.sizes
             ends = [self.at(self.places.place(point)) for point in (sign.first, sign.second)]
             bearing = float(angles(self.drawing.poses, self.places.heading(sign.along))[0])
             along = np.array((np.cos(bearing), np.sin(bearing)))
@@ -197,10 +197,11 @@ class WholeInPlane(Whole):
             if one == other:
                 ends = [0.5 * (ends[0] + ends[1])]
             values = [self.places.number(size) for size in sizes]
+            largest = full_height(values, all_sizes)
             for at, size, value in zip(ends, sizes, values, strict=True):
-                tall = (SPREAD * value / (max(map(abs, values)) or 1.0) + math.copysign(1.3, value)) * SYMBOL
+                tall = (SPREAD * value / largest + math.copysign(1.3, value)) * SYMBOL
                 if size != ZERO:
-                    label, tail = formula(size) if free_symbols(size) else words(shown.owner), at - tall * along
+                    label, tail = formula(size) if free_symbols(size) else words(owner), at - tall * along
                     spots = tuple((tail - far * math.copysign(SYMBOL, value) * along, -along) for far in (0.0, 1.5))
                     self.sketch.wish(Wish(label, spots, 10.0, Ink("force"), weight=3.5))
 

@@ -10,6 +10,7 @@ import numpy as np
 from freebody.model.glyphs import Coil, ForceArrow, Halt, MomentArrow, Relation, Rod, Rope, Shoe, Spread, Spring, Tether
 from freebody.present import figures
 from freebody.present.figures import Array, Heading, Place
+from freebody.present.pen import full_height
 from freebody.present.scene import Scene
 from freebody.present.space.cuts import Cuts
 from freebody.present.space.figures import Poses, upright
@@ -117,13 +118,16 @@ class Loads:
 
     def _spread(self, first: Place, second: Place, heading: Heading, sizes: tuple[float, float]) -> Iterator[Piece]:
         """Arrows side by side, as long as the load is large there."""
-        one, other, largest = np.array(first.at), np.array(second.at), max(map(abs, sizes)) or 1.0
+        one, other, largest = np.array(first.at), np.array(second.at), full_height(sizes, self._sizes())
         for share in np.linspace(0.0, 1.0, _N_SIDE_BY_SIDE):
             size = ((1.0 - share) * sizes[0] + share * sizes[1]) / largest
             place = Place(first.body, *((1.0 - share) * one + share * other).tolist())
             if abs(size) > 0.1:
                 for part in arrow(np.sign(size) * np.array(heading.along), 0.0, 4.0 * abs(size) * self.u, 0.6 * self.u):
                     yield Piece(part, place, heading.body, "force")
+
+    def _sizes(self) -> Iterator[tuple[float, float]]:
+        yield from (sign.sizes for sign in self.scene.signs if isinstance(sign, Spread))
 
     def _moment(self, body: int, axis: Heading) -> Iterator[Piece]:
         place, radius = self._axle_of(body, self.poses.heading(axis, 0))

@@ -36,6 +36,11 @@ _MOVED = 1e-9  # [SI] since the start
 Solver = Callable[[System], Solution]
 
 
+# what must hold on the way to an event: of a function there is none, but any instant
+_UNTIL_EVENT = Message("from the start to the event {condition}", condition="")
+_UNTIL_THEN = Message("from the start to that instant {condition}", condition="")
+
+
 def as_function(system: System, question: Question, event: Anywhere, solve: Solver) -> Answer:
     """The answer as a function of the place or the time; else that by places and rates, which says why."""
 
@@ -131,7 +136,7 @@ def in_the_measure(answer: Answer, p: str, name: str, *, at_first: bool = False)
             return Stated(told(text.words), re.sub(rf"\b{p}\b", name, text.expression), sides)
         if isinstance(text, Message):
             parts = {key: told(x) if isinstance(x, str) else x for key, x in text.arguments.items()}
-            return text.of(**parts)
+            return _UNTIL_THEN.of(**parts) if text.template == _UNTIL_EVENT.template else text.of(**parts)
         symbol = to_text(Symbol(name))
         shown = str.replace(text, to_text(Symbol(p)), symbol).replace(p, name)
         for own in (symbol, name):  # the same in a text

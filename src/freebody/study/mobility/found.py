@@ -273,7 +273,7 @@ def _advice(found: Mobility) -> str:
         )
     n = found.degrees_of_freedom
     if n == 0 and drivers:
-        return Message("It moves as {drivers} lead it; all reactions are unique.", drivers=drivers)
+        return Message("The motion is prescribed by {drivers}; all reactions are unique.", drivers=drivers)
     if n == 0:
         return Message("Nothing can move, and all reactions are unique.")
     lead = in_turn([*found.independent_coordinates]) or (

@@ -108,7 +108,7 @@ def label(name: str) -> str:
     edge = _EDGE.fullmatch(component)
     if edge is not None and (side := [word for word in edge["start"].split("_") if word in edge["end"].split("_")]):
         component = f"{edge['what']} on {edge['body']}.{side[0]}"
-    plain = ("contact", "slip", "length", "gap", "normal", "friction", "min", "max", "torque")
+    plain = ("contact", "slip", "length", "gap", "n", "normal", "friction", "min", "max", "torque")
     return connection if component in plain else f"{connection} ({component})"
 
 
@@ -131,7 +131,7 @@ def action(phase: Phase) -> str:
         (word,) = spoken.values()
         alone = all(w == "open" for w in found.values())
         return {
-            "open": Message("flies") if alone else Message("moves apart"),
+            "open": Message("flies") if alone else Message("moves with an open contact"),
             "slack": Message("moves with a slack string"),
             "compressed": Message("moves against a buffer"),
         }.get(word, word)

@@ -6,10 +6,12 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from freebody.language.expression import Expr
+from freebody.language.expression import Expr, number
 from freebody.measures.angle import Angle
+from freebody.measures.base import Measure
 from freebody.measures.combination import Combination
 from freebody.measures.displacement import Displacement
+from freebody.measures.distance import Distance
 from freebody.measures.geometry import Direction, Point, position
 from freebody.measures.lead import Lead
 from freebody.model.elements import ConstraintRow
@@ -45,13 +47,11 @@ def pulls(
     bearings = headings(way, poses)[0]
     for row in rows:
         k = next(k for k, lead in enumerate(way.leads) if lead.row == row.component)
-        assert isinstance(row.measure, Combination)
         found: list[Pull] = []
-        for coefficient, measure in row.measure.terms:
+        for coefficient, measure in _parts(row):
             if isinstance(measure, Angle):
                 continue
-            assert isinstance(measure, Lead | Displacement)
-            ends = (measure.start, measure.end) if isinstance(measure, Lead) else (measure.origin, measure.of)
+            ends = _ends(measure)
             share = abs(reference.number(coefficient))
             heading = way.leads[k].along
             bearing = float(bearings[k]) if heading is None else _fixed(heading, poses)
@@ -62,6 +62,19 @@ def pulls(
                 found.append((ends[j].body, ends[1 - j].body, at, sign * share * e))
             k += 1
         yield row, found
+
+
+def _parts(row: ConstraintRow) -> Sequence[tuple[Expr, Measure]]:
+    """What the length of a string is made of; with a length between two points it is their distance."""
+    if isinstance(row.measure, Combination):
+        return row.measure.terms
+    assert isinstance(row.measure, Distance)
+    return ((number(1), row.measure),)
+
+
+def _ends(lead: Measure) -> tuple[Point, Point]:
+    assert isinstance(lead, Lead | Distance | Displacement)
+    return (lead.origin, lead.of) if isinstance(lead, Displacement) else (lead.start, lead.end)
 
 
 def _fixed(heading: Heading, poses: Array) -> float:
