@@ -188,7 +188,7 @@ start: {theta: theta_0, rate(theta): 0}
 
 def test_a_place_does_not_need_what_the_time_to_it_takes() -> None:
     """m L^2 theta'^2/6 = (m g L/2) (sin theta_0 - sin theta) + (k L^2/2) (sin^2 theta - sin^2 theta_0), which falls up
-    to sin theta = m g/(2 k L): it goes down where m g > 2 k L sin theta_0, and is fastest at the bottom; nothing else."""
+    to sin theta = m g/(2 k L): it goes down where m g > 2 k L sin theta_0, and is fastest at the bottom."""
     found = posed(GUIDED, "theta when speed of bar is greatest")
     assert found.value == pytest.approx(-math.pi / 2)
     assert not [c for c in found.conditions if "as at the start" in str(c)]
