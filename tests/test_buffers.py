@@ -151,3 +151,29 @@ start: {x: -s, rate(x): 0}
 """
     (lost,) = fb.System.from_text(text).solve(["energy lost until rate(x) = 0"]).answers
     assert lost.value == pytest.approx(4000 * 0.12**2 / 2, rel=1e-9), lost.reason
+
+
+@pytest.mark.parametrize(
+    ("m", "k", "a", "d", "l"),
+    [
+        (3.728984117861538, 2590.0301652597136, 0.9786228973399704, 2.8585398970599694, 0.4588182191688439),
+        (4.93727928591942, 2151.5619235719114, 2.7941239053819853, 8.363787268432459, 0.5305058241673395),
+    ],
+)
+def test_no_step_leaps_over_a_buffer(m: float, k: float, a: float, d: float, l: float) -> None:  # noqa: E741
+    """Under a constant force steps grow until one has most of its stages before and behind the buffer, which is reached
+    at d = a t^2/2."""
+    system = fb.System.from_text(f"""
+parameters: {{m: {m} kg, k: {k} N/m, l: {l} m, d: {d} m, a: {a} m/s^2}}
+ground: {{points: {{wall: [d + l, 0]}}}}
+bodies: {{crate: {{particle: {{mass: m}}}}}}
+connections: {{line: {{slider: {{body: crate, along: right}}}}}}
+loads:
+  pull: {{force: {{at: crate, along: right, magnitude: m*a}}}}
+  buffer: {{spring: {{first: ground.wall, second: crate, stiffness: k, length: l, only: compressed}}}}
+measures: {{x: x of crate}}
+start: {{x: 0, rate(x): 0}}
+""")
+    course = fb.simulate(system, 60.0, method="dop853", tolerance=1e-9)
+    reached = next(event for event in course.events if event.name == "buffer is reached")
+    assert reached.time == pytest.approx(math.sqrt(2 * d / a), rel=1e-8)

@@ -46,8 +46,29 @@ connections: {rope: {string: {from: left, over: [pulley], to: right}}}
 loads: {weight: {gravity: g}}
 measures: {x: drop of left}
 """
+HOIST = """
+parameters: {J1: 0.05 kg m^2, J2: 1.2 kg m^2, r: 0.08 m, n: 4, R: 0.2 m, m: 50 kg, T: 35 N m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], B: [r + n*r, 0]}}
+bodies:
+  pinion: {body: {inertia: J1, radius: r}}
+  wheel: {body: {inertia: J2, radius: n*r}}
+  load: {particle: {mass: m}}
+connections:
+  A: {pin: [ground.A, pinion]}
+  B: {pin: [ground.B, wheel]}
+  mesh: {gear_mesh: {first: pinion, second: wheel}}
+  rope: {string: {path: [wound on wheel radius R at right, load]}}
+loads: {weight: {gravity: g}, motor: {torque: {on: pinion, magnitude: -T}}}
+measures: {z: height of load}
+"""
 
 CASES = {
+    # a = R (n T - R m g)/(J1 n^2 + J2 + m R^2) of what hangs is one number: J1 T n^2 - 2 J1 R m g n = T (J2 + m R^2)
+    "gear ratio": (
+        HOIST,
+        "value of n for which acceleration of load is largest",
+        "R*m*g/T + sqrt((R*m*g/T)^2 + (J2 + m*R^2)/J1)",
+    ),
     # x = v0^2 sin(2 theta)/g
     "range": (THROW, "value of theta for which x when y = 0 is largest", "pi/4"),
     "range, value": (THROW, "largest x when y = 0 over theta", "v0^2/g"),

@@ -533,3 +533,13 @@ start: {phi: 80 deg, rate(phi): 0}
     assert answer.expression is not None, answer.reason
     assert answer.value == pytest.approx(first * math.exp(-math.pi * d / w), rel=1e-12)
     assert [note for note in answer.notes if "its size is more" in note and f"{first:.4f}" in note]
+
+
+def test_driven_motion_knows_nothing_of_the_sides_of_a_spring() -> None:
+    """x = r cos(w t), whatever the spring from O does, which x passes: at pi/(2 w) it has pulled on one side and pushes
+    on the other from then on."""
+    text = SCOTCH_YOKE.replace("r: 60 mm", "r: 60 mm, k: 900 N/m, L: 20 mm")
+    text += "loads: {spring: {spring: {first: ground.O, second: yoke, stiffness: k, length: L}}}\n"
+    asked = {"time when x = 0": "pi/(2*w)", "greatest acceleration of yoke": "r*w^2", "greatest x": "r"}
+    for question, formula in asked.items():
+        assert list(map(str, is_formula(text, question, formula).conditions)) == ["for all positive parameters"]

@@ -7,7 +7,7 @@ import math
 import pytest
 
 import freebody as fb
-from posed import is_formula
+from posed import is_formula, posed
 
 BEAM = """
 parameters: {L: 6 m, q: 2 kN/m, F: 3 kN, a: 2 m}
@@ -52,6 +52,26 @@ def test_shear_force_without_a_change_of_sign_is_told() -> None:
     )
     found = fb.System.from_text(cantilever).solve("place of zero shear force of beam").answers[0]
     assert "nowhere" in str(found.reason)
+
+
+OVERHANG = """
+parameters: {a: 4 m, b: 1.5 m, q: 600 N/m, P: 800 N}
+beam: {length: a + b}
+supports: [{type: pin, at: 0}, {type: roller, at: a}]
+loads: [{type: distributed, from: 0, to: a, value: q}, {type: point, at: a + b, value: P}]
+"""
+
+
+def test_bending_moment_is_zero_between_supports_of_a_beam_with_an_overhang() -> None:
+    """A = q a/2 - P b/a, and A x = q x^2/2; it is zero at both ends as well, which is not meant."""
+    assert is_formula(OVERHANG, "place of zero bending moment", "a - 2*P*b/(q*a)").value == pytest.approx(3.0)
+
+
+def test_bending_moment_that_goes_through_zero_twice_or_never_is_told() -> None:
+    both = OVERHANG.replace("type: pin, at: 0", "type: pin, at: 1 m")
+    assert "twice" in str(posed(both, "place of zero bending moment").reason)
+    never = OVERHANG.replace("P: 800 N", "P: -800 N")
+    assert "nowhere" in str(posed(never, "place of zero bending moment").reason)
 
 
 def test_greatest_angular_velocity_of_what_turns_clockwise_is_its_size() -> None:

@@ -60,6 +60,14 @@ class Span:
     is_moment: bool
 
     @property
+    def moments(self) -> tuple[Any, Any, Any]:
+        """The bending moment by Bernstein's base, where the shear force is linear. Raises CannotAnswer elsewhere."""
+        b_0, b_1, b_2 = self.bernstein
+        if not is_nothing(b_0 + b_2 - 2 * b_1, b_0, b_2):
+            raise CannotAnswer(Message("where the load changes along the rod the bending moment is zero is not told"))
+        return self.ends[0], self.ends[0] + self.length * b_0 / 2, self.ends[1]
+
+    @property
     def slopes(self) -> tuple[Any, ...]:
         """Of the quantity, by Bernstein's base, but for a positive factor: within the span it is extreme where these
         change sign."""
@@ -77,6 +85,11 @@ class Span:
         return self.ends[0] + self.length * area, at
 
 
+def is_nothing(x: Any, *beside: Any) -> bool:
+    """Whether an element is zero, or a number beside others."""
+    return x.is_zero() if hasattr(x, "is_zero") else abs(x) <= ROUNDED * max(map(abs, beside))
+
+
 def root_of(slopes: Sequence[Any], side: int, sqrt_of: Callable[[Any], Any]) -> Any:
     """The one s at which a slope changes its sign, two or three coefficients of which are given. side: its sign before
     it."""
@@ -90,7 +103,7 @@ def root_of(slopes: Sequence[Any], side: int, sqrt_of: Callable[[Any], Any]) -> 
 @dataclass(frozen=True)
 class GreatestInRod(Quantity, kind="greatest section force"):
     """The greatest size of a section force along a rod, or the place of it, measured from the start of the rod; or the
-    one place at which the shear force, as the slope of the bending moment, goes through zero."""
+    one place at which the shear force, as the slope of the bending moment, or the bending moment goes through zero."""
 
     body: str
     part: Part
@@ -127,7 +140,12 @@ questions: {it: greatest bending moment of beam}
     def places(self, system: Described, state: State[Any]) -> Order:
         """The places along the rod at which something acts, in turn, with both ends; the state tells their order."""
         rod = system.bodies[self.body]
-        return in_order(rod, state, places_on(system, state, rod, self.part))
+        return in_order(rod, state, places_on(system, state, rod, self._looked_at))
+
+    @property
+    def _looked_at(self) -> Part:
+        """What spans are made for: the moment, with its slope, where a zero is asked for."""
+        return "bending" if self.asks == "zero" else self.part
 
     def spans(self, system: Described, state: State[Any], order: Order) -> Iterator[Span]:
         """Those of the rod between places that follow one another."""
@@ -149,16 +167,16 @@ questions: {it: greatest bending moment of beam}
             else:
                 moments = at(begin, "bending", "behind"), at(end, "bending", "before")
                 between = 3 * (moments[1] - moments[0]) / length - first - last
-                ends = moments if self.part == "bending" else (first, last)
+                ends = moments if self._looked_at == "bending" else (first, last)
             start = state.scalar(add(begin, negate(rod.points["start"][0])))
-            yield Span(start, length, ends, (first, between, last), self.part == "bending")
+            yield Span(start, length, ends, (first, between, last), self._looked_at == "bending")
 
     def value(self, system: Described, state: State[Any]) -> float:
         """In numbers; where the sizes in two places are the same the first one is told."""
         found: list[tuple[float, float]] = []
         spans = [*self.spans(system, state, self.places(system, state))]
         if self.asks == "zero":
-            return only_zero([*_zeros(spans)])
+            return only_zero(self, [*self._zeros(spans)])
         for span in spans:
             found.append((span.ends[0], span.start))
             found += [span.extreme(root) for root in _roots(span.slopes)]
@@ -168,29 +186,46 @@ questions: {it: greatest bending moment of beam}
             return size
         return next(at for value, at in found if abs(value) >= size * (1.0 - ROUNDED))
 
+    def _zeros(self, spans: Sequence[Span]) -> Iterator[float]:
+        """Where it goes through zero, within spans and between them."""
+        for k, span in enumerate(spans):
+            before, behind = self.at_border(spans[k - 1], span) if k else (0.0, 0.0)
+            if before * behind < 0.0:
+                yield span.start
+            yield from (span.start + span.length * root for root in _roots(self.along(span)))
+
+    def along(self, span: Span) -> tuple[Any, ...]:
+        """What goes through zero, by Bernstein's base."""
+        return span.bernstein if self.part == "shear" else span.moments
+
+    def at_border(self, before: Span, behind: Span) -> tuple[Any, Any]:
+        """What goes through zero, on both sides of the place between two spans."""
+        return self.along(before)[-1], self.along(behind)[0]
+
     def sentence(self, system: Described) -> Sentence:
         return Sentence(f"what.greatest_section.{self.asks}.{self.part}", {"body": self.body})
 
 
-def _zeros(spans: Sequence[Span]) -> Iterator[float]:
-    """Where the shear force goes through zero, within spans of a bending moment and between them."""
-    for k, span in enumerate(spans):
-        if k and spans[k - 1].bernstein[2] * span.bernstein[0] < 0.0:
-            yield span.start
-        yield from (span.start + span.length * root for root in _roots(span.bernstein))
-
-
-def only_zero(places: Sequence[Any]) -> Any:
+def only_zero(q: GreatestInRod, places: Sequence[Any]) -> Any:
     """The place where that is one. Raises CannotAnswer where there is none, or are several."""
-    if not places:
+    is_shear = q.part == "shear"
+    if not places and is_shear:
         raise CannotAnswer(Message("the shear force goes through zero nowhere along the rod"))
-    if len(places) > 1:
+    if not places:
+        raise CannotAnswer(Message("the bending moment goes through zero nowhere between the ends of the rod"))
+    if len(places) > 1 and is_shear:
         raise CannotAnswer(Message("the shear force goes through zero at {n} places", n=len(places)))
+    if len(places) > 1:
+        raise CannotAnswer(Message("the bending moment goes through zero at {n} places", n=len(places)))
     return places[0]
 
 
 def _roots(d: Sequence[float]) -> list[float]:
-    """Where between 0 and 1 a polynomial by Bernstein's base is zero."""
+    """Where between 0 and 1 a polynomial by Bernstein's base is zero; at an end round-off hides that it is."""
+    most = max(map(abs, d))
+    d = [0.0 if abs(x) <= ROUNDED * most else x for x in d]
+    if len(d) == 3 and 0.0 in (d[0], d[2]):
+        d = [d[0], 2.0 * d[1]] if d[2] == 0.0 else [2.0 * d[1], d[2]]
     if len(d) == 2:
         return [d[0] / (d[0] - d[1])] if d[0] * d[1] < 0.0 else []
     c = (d[0], 2.0 * (d[1] - d[0]), d[0] - 2.0 * d[1] + d[2])
@@ -238,15 +273,15 @@ def _place(names: Names, found: Found, path: Path) -> Quantity | None:
 
 
 @asked(
-    "place of zero shear force [of ROD]",
-    rf"(?:place|position|location) of (?:the )?(?:zero|vanishing) (?:shear|shearing) force"
+    "place of zero shear force | bending moment [of ROD]",
+    r"(?:place|position|location) of (?:the )?(?:zero|vanishing) (?P<part>(?:shear|shearing) force|bending moment)"
     rf"(?: (?:of|in) (?:the )?(?P<of>{NAME}))?",
     rank=62,
     example=f"{_ALONE}questions: {{it: place of zero shear force of beam}}\n",
     fits=_is_of_one_rod,
 )
 def _zero(names: Names, found: Found, path: Path) -> Quantity | None:
-    return _read(names, {**found, "part": "bending moment"}, path, "zero")
+    return _read(names, found, path, "zero")
 
 
 def _read(names: Names, found: Found, path: Path, asks: Literal["size", "place", "zero"]) -> Quantity | None:

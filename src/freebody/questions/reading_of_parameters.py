@@ -252,6 +252,8 @@ def read_extremal(
     if asked is None:
         return None
     of, end = asked.quantity, "largest" if found["largest"] else "least"
+    if is_vector(of, space=names.space):
+        of = of.sized(space=names.space)  # of vectors the one of the largest size is the largest
     kind = ExtremalForOnTheWay if of.scope == "course" else ExtremalFor
     unit = "rad" if parameter.is_angle else str(parameter.dimension)
     measured, shown = (parameter.dimension, unit) if asks_place else (of.dimension, of.unit)

@@ -53,6 +53,7 @@ class Setup:
     """The symbolic model, the numeric draws, and what all questions share."""
 
     _sides: Sequence[Ratio] = ()  # positive where the loops are assembled as in the formulas
+    _has_sided_loads = False  # whether their laws take something to be positive
 
     def __init__(self, system: System, n_draws: int = N_DRAWS, first: Draw | None = None) -> None:
         """first: the first of the draws, where that shall be a certain one."""
@@ -103,14 +104,25 @@ class Setup:
         """What formulas take to be positive inside is so for what is found there only."""
         return nullcontext() if isinstance(self._made, CannotAnswer) else self._made.samples.apart()
 
+    @cached_property
+    def of_geometry(self) -> Setup:
+        """What is driven moves so whatever loads act: the same without them, where their laws take something to be
+        positive that may change its sign on the way, as the length of a spring whose ends pass each other."""
+        model = self.model
+        if model.degrees_of_freedom or not self._has_sided_loads:
+            return self
+        return Setup(replace(self.system, applied_loads=()))
+
     def _formulas(self) -> SymbolicModel:
         """The model for the draws there are: signs that formulas leave open are those at the first of them."""
         starts = [replace(d.sample(), still=still_measures(d)) for d in self.draws[:3]]
         general = [d.sample(d.anywhere(SEED, _TIME, 0.1), is_start=False) for d in self.draws[:3]]
         model = SymbolicModel(self.system, [*starts, *general])
         model.start.by_loops = lambda values: Closure(model).at(values)
+        n_taken = len(model.samples.assumed)
         with suppress(CannotAnswer):  # what the laws take to be positive is so for every question
             model.loads.wrenches  # noqa: B018
+        self._has_sided_loads = len(model.samples.assumed) > n_taken
         closure = Closure(model)
         closure.take_sides()
         self._sides = closure.sides

@@ -28,7 +28,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Callable
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 
 from freebody.symbolic.functions import atan2, cos_sin, functions
 from freebody.symbolic.model import SymbolicModel
@@ -398,4 +398,6 @@ class _Finder:
 
 def elliptic_time(model: SymbolicModel, c: Coordinate, square: Ratio, q0: Ratio, u0: Ratio) -> EllipticTime | None:
     """The time of the way of a coordinate by u^2 = square, where it is an elliptic integral of these forms."""
-    return _Finder(model, c, model.field.lowest_terms(square), q0, u0).find()
+    with model.samples.taking() as taken:  # signs of what the place that is reached does not depend on
+        found = _Finder(model, c, model.field.lowest_terms(square), q0, u0).find()
+    return None if found is None else replace(found, needs=(*found.needs, *((x, ">") for x in taken)))

@@ -27,7 +27,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
     assert isinstance(q, GreatestInRod)
     state = setup.start_for(q) if question.at_start else setup.state
     if q.asks == "zero":
-        raise CannotAnswer(Message("ask how great the shear force is there"))
+        raise CannotAnswer(Message("ask for what is zero there, at a distance from the start of the rod"))
     if q.asks == "place":
         raise CannotAnswer(Message("ask how great it is there; the place is told with that"))
     cut, conditions = governing(setup, question, q, state)

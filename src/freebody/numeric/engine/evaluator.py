@@ -46,6 +46,7 @@ class EngineWatch:
     direction: int = 0  # 1: rising only, -1: falling only
     is_terminal: bool = False
     size: float = 1.0  # what counts as large
+    is_border: bool = False  # where the law of a load changes
 
 
 @dataclass(frozen=True)

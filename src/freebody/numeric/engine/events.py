@@ -8,6 +8,10 @@ are not terminal.
 
 The state at an event is that after a step of its own from where the step began, and the time is improved by Newton's
 method on such steps, so that both are as exact as any step.
+
+A long step may leap over all of a buffer, as where nothing else makes its error large; what lies between is seen by the
+dense output alone, which is wrong then. It is found out by a step of its own to where a border is passed. The motion
+then begins anew where that step began, with a short one.
 """
 
 from __future__ import annotations
@@ -29,6 +33,7 @@ if TYPE_CHECKING:
 
 N_MENDED = 4
 OFF = 1e-4  # by the size of what is watched, that the dense output may be off; more is another count of turns
+LEAPT = "leapt"  # the kind of what ends a motion where a step leapt over a border
 PLACES = (0.2113, 0.5437, 0.8771)  # of a step, where what is zero at both ends is looked at
 
 
@@ -41,6 +46,9 @@ def found_in_step(motion: MotionUnderWay, violation: Violation | None = None) ->
     found: list[tuple[float, int, StepZero]] = []
     for k, (watch, search) in enumerate(zip(motion.engine.watches, motion.searches, strict=True)):
         zeros = list(search.in_step(run))
+        if watch.is_border and zeros and _leaps(motion, watch, k, zeros[0], h):
+            motion.add(Event(t0, watch.name, LEAPT, is_terminal=True), run.states[stepped_run.OLD].copy())
+            return True
         if max(map(abs, search.ends)) <= search.zero and _is_zero_throughout(motion, k, t0, h):
             motion.say_zero(watch, t0)
             search.forget()
@@ -65,6 +73,12 @@ def found_in_step(motion: MotionUnderWay, violation: Violation | None = None) ->
         if happening.is_terminal:
             return True
     return False
+
+
+def _leaps(motion: MotionUnderWay, watch: EngineWatch, k: int, zero: StepZero, h: float) -> bool:
+    """Whether a border is not where the dense output has it: nothing that this shows in the step can be relied on."""
+    there = None if zero.kind == "touch" else motion.step_of(zero.part * h)
+    return there is not None and abs(motion.derivatives_of(k)[0]) > OFF * watch.size
 
 
 def _up_to(

@@ -116,8 +116,8 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
     said = _unaccelerated(_not_slipping(names, _carrying(names, said, modal)))
     words = _as_large(said)
     words = pushes.heaviest(names, words)
-    if without_shear := of_sections.without_shear(names, Clause(said)):
-        yield without_shear
+    if places := of_sections.without_load(names, Clause(said)):
+        yield places
         return
     yield from _rough_enough_to_roll(names, Clause(words))
     said = pushes.heaviest(names, said)

@@ -57,15 +57,15 @@ def to_the_right(names: Names, rod: RigidBody) -> int:
     return 0 if abs(along) < _UPRIGHT else 1 if along > 0.0 else -1
 
 
-def without_shear(names: Names, clause: Clause) -> list[str]:
-    """Where the shear force of a rod is zero."""
+def without_load(names: Names, clause: Clause) -> list[str]:
+    """Where the shear force, or the bending moment, of a rod is zero."""
     rods = [name for name, body in names.bodies.items() if body.solid is ROD]
     of = [name for _, name in clause.names]
     is_asked = clause.has("ask", "where") or clause.all("quantity")[:1] in (["position"], ["distance"])
-    is_of_shear = clause.all("quantity")[-1:] in (["shear force"], ["transverse force"])
-    if not (is_asked and is_of_shear and clause.has("verb", "vanish")) or len(of) > 1 or not {*of} <= {*rods}:
+    what = _GREATEST.get((clause.all("quantity") or [""])[-1], "")
+    if not (is_asked and what and clause.has("verb", "vanish")) or len(of) > 1 or not {*of} <= {*rods}:
         return []
-    return [f"place of zero shear force of {rod}" for rod in of or rods]
+    return [f"place of zero {what} of {rod}" for rod in of or rods]
 
 
 def greatest(names: Names, clause: Clause) -> list[str]:

@@ -7,6 +7,7 @@ one sign then, and both ends are all there is to look at. See `questions.greates
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, replace
 from functools import cached_property
 from itertools import pairwise
@@ -31,6 +32,9 @@ from freebody.tolerances import ROUNDED
 
 _GREATEST = Message("it is greatest there")
 _ZERO = Message("the shear force is zero there alone")
+_NO_MOMENT = Message("the bending moment is zero there alone")
+_TWICE = Message("it is extreme more than once between two places at which something acts")
+_TWICE_ZERO = Message("it is zero twice, or nowhere, between two places at which something acts")
 _EVEN = Message("which of several places governs depends on the numbers, and not all of them are given")
 
 
@@ -86,29 +90,27 @@ class _Search:
         return Finding(x, evidence, conditions, notes=[told, *self._elsewhere(candidates, k)])
 
     def _zero(self) -> Finding:
-        """The place at which the shear force goes through zero: within a span, or where a load acts."""
-        spans = [self._tidied(x) for x in self.q.spans(self.setup.system, self.state, self._order)]
+        """The place at which the shear force or the bending moment goes through zero: within a span, or where a load
+        acts."""
+        q = self.q
+        spans = [self._tidied(x) for x in q.spans(self.setup.system, self.state, self._order)]
         places, needed = list[Ratio](), self._in_order(self._order)
         for k, span in enumerate(spans):
-            found, conditions = self._within(span, k)
-            places += [c.at for c in found]
+            roots, conditions = self._roots(self._shortened(q.along(span)))
+            places += [self._element(span.start + span.length * root) for root in roots]
             needed += conditions
             if k:
-                before, behind = spans[k - 1].bernstein[2], span.bernstein[0]
-                sides = [
-                    _sign(x, n, 0.0) for x, n in zip((before, behind), self._numbers([before, behind]), strict=True)
-                ]
-                needed += [
-                    Condition(side * x, ">", _ZERO) for side, x in zip(sides, (before, behind), strict=True) if side
-                ]
+                border = q.at_border(spans[k - 1], span)
+                sides = [_sign(x, n, 0.0) for x, n in zip(border, self._numbers([*border]), strict=True)]
+                needed += [Condition(side * x, ">", "") for side, x in zip(sides, border, strict=True) if side]
                 places += [span.start] if {*sides} == {-1, 1} else []
-        x = only_zero(places)
-        conditions = self._open([replace(c, purpose=_ZERO) for c in needed])
+        x = only_zero(q, places)
+        conditions = self._open([replace(c, purpose=_ZERO if q.part == "shear" else _NO_MOMENT) for c in needed])
         if conditions and not self.setup.has_values:
             raise CannotAnswer(_EVEN)
         told = [c.element for c in conditions]
         at_start = self.question.at_start
-        evidence = proof.at_instants(self.setup, self.question.text, self.q, x, at_start=at_start, sides=told)
+        evidence = proof.at_instants(self.setup, self.question.text, q, x, at_start=at_start, sides=told)
         return Finding(x, evidence, conditions)
 
     @cached_property
@@ -184,29 +186,33 @@ class _Search:
 
     def _within(self, span: Span, k: int) -> tuple[list[_Candidate], list[Condition]]:
         """Where it is extreme within a span, and without what it is so there alone."""
-        slopes = self._slopes(span)
-        if all(x.is_zero() for x in slopes):
+        roots, conditions = self._roots(self._shortened(span.slopes))
+        found = [[self._element(x) for x in span.extreme(root)] for root in roots]
+        return [_Candidate(value, at, (k, k + 1)) for value, at in found], conditions
+
+    def _roots(self, d: list[Ratio]) -> tuple[list[Ratio], list[Condition]]:
+        """Where something changes its sign within a span, by its coefficients, and without what it does so there
+        alone."""
+        if all(x.is_zero() for x in d):
             return [], []
-        numbers = self._numbers(slopes)
+        numbers = self._numbers(d)
         near = max(map(abs, numbers)) * ROUNDED
-        sides = [_sign(x, n, near) for x, n in zip(slopes, numbers, strict=True)]
+        sides = [_sign(x, n, near) for x, n in zip(d, numbers, strict=True)]
         if None in sides:
             raise CannotAnswer(Message("at the given numbers it is extreme just where something acts"))
         signs = {side for side in sides if side}
         if len(signs) == 1:
             (side,) = signs
-            return [], [Condition(side * x, ">=", _GREATEST) for x in slopes if not x.is_zero()]
+            return [], [Condition(side * x, ">=", _GREATEST) for x in d if not x.is_zero()]
         first, last = sides[0], sides[-1]
         if not first or not last or first == last:
-            raise CannotAnswer(Message("it is extreme more than once between two places at which something acts"))
-        root = self._element(root_of(slopes, first, self.state.sqrt))
-        value, at = span.extreme(root)
-        conditions = [Condition(first * slopes[0], ">", _GREATEST), Condition(last * slopes[-1], ">", _GREATEST)]
-        return [_Candidate(self._element(value), self._element(at), (k, k + 1))], conditions
+            raise CannotAnswer(_TWICE_ZERO if self.q.asks == "zero" else _TWICE)
+        root = self._element(root_of(d, first, self.state.sqrt))
+        return [root], [Condition(first * d[0], ">", _GREATEST), Condition(last * d[-1], ">", _GREATEST)]
 
-    def _slopes(self, span: Span) -> list[Ratio]:
+    def _shortened(self, coefficients: Sequence[Any]) -> list[Ratio]:
         """Without a factor s or 1 - s where it vanishes at an end, and without a quadratic term that is zero."""
-        d = [self._element(x) for x in span.slopes]
+        d = [self._element(x) for x in coefficients]
         if len(d) == 3 and (d[0] + d[2] - 2 * d[1]).is_zero():
             return [d[0], d[2]]
         if len(d) == 3 and d[2].is_zero():

@@ -12,8 +12,9 @@ from freebody.errors import CannotAnswer, ModelError, Problem
 from freebody.language.expression import FLOAT_FUNCTIONS, evaluate, free_symbols, number
 from freebody.language.sentences import Message, further
 from freebody.numeric.instant import WithoutInertia
+from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
-from freebody.questions.event import Anywhere
+from freebody.questions.event import Anywhere, OfQuantity
 from freebody.questions.happening import Happening, Lasting
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
@@ -24,6 +25,7 @@ from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, 
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
+from freebody.study.answering.conditions import is_kinematic
 from freebody.study.answering.finding import NO_FORM, answered
 from freebody.study.answering.functions import as_function
 from freebody.study.answering.functions_along_rods import along_a_rod
@@ -44,6 +46,8 @@ from freebody.study.steady.ask import number_of_driven_turn
 from freebody.study.steady.open_balls import with_open_balls
 from freebody.study.worded import in_words
 from freebody.system.system import System
+
+_OF_PARTS = ("whole motion", "steady motion")  # what is extreme over a motion, or over a turn
 
 
 @in_words
@@ -195,8 +199,23 @@ def _in_one_law(system: System, questions: Sequence[Question], setup: Setup | No
         if held is None:
             return found
         return replace(found, answers=resting_start.with_start(found.answers, questions, held, _in_smooth_motion))
-    answers = with_plain_numbers(system, model, [_in_smooth_motion(setup, q) for q in questions])
+    answers = with_plain_numbers(system, model, [_in_smooth_motion(_needed_for(setup, q), q) for q in questions])
     return Solution.of(system, model, answers, assumed=assumed_at_start(setup, answers))
+
+
+def _needed_for(setup: Setup, question: Question) -> Setup:
+    """Without loads, where a question is about what drives alone make."""
+    told = [question.event.quantity] if isinstance(question.event, OfQuantity) else []
+    is_driven = question.transition is None and all(_is_of_geometry(setup, q) for q in (question.quantity, *told))
+    return setup.of_geometry if is_driven else setup
+
+
+def _is_of_geometry(setup: Setup, q: Quantity) -> bool:
+    """Whether geometry and time decide it: when something happens, what it is then, and where that is extreme."""
+    if q.is_of_event or is_kinematic(setup, q):
+        return True
+    parts = q.inner or (q.turn or ())[:1]
+    return bool(parts) and q.scope in _OF_PARTS and all(_is_of_geometry(setup, part) for part in parts)
 
 
 def _with_parameters(system: System, questions: Sequence[Question]) -> Solution:

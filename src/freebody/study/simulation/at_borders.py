@@ -15,6 +15,7 @@ from freebody.model.elements import ConstraintRow
 from freebody.model.one_sided import GAP_OF_BUFFER
 from freebody.numeric.engine.course import Event
 from freebody.numeric.engine.evaluator import EngineWatch
+from freebody.numeric.engine.events import LEAPT
 from freebody.system.system import System
 
 
@@ -25,7 +26,7 @@ def border_watches(system: System, number: Callable[[Expr], float], length: floa
         limit = number(row.target)
         size = max(abs(limit), length if row.measure.dimension == LENGTH else length**2)
         for name, direction in zip(_names(row), (-row.sign, row.sign), strict=True):
-            yield EngineWatch(name, row.measure, 0, limit, direction, is_terminal=True, size=size)
+            yield EngineWatch(name, row.measure, 0, limit, direction, is_terminal=True, size=size, is_border=True)
 
 
 def with_borders(system: System, events: Sequence[Event], *, told: bool) -> tuple[Event, ...]:
@@ -37,7 +38,7 @@ def with_borders(system: System, events: Sequence[Event], *, told: bool) -> tupl
     for event in events:
         if event.name not in words:
             found.append(event)
-        elif told and event.is_terminal:
+        elif told and event.is_terminal and event.kind != LEAPT:
             name, kind = words[event.name]
             found.append(replace(event, name=name, kind=kind, is_terminal=False))
     return tuple(found)
