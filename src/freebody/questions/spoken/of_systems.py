@@ -334,6 +334,16 @@ def _orbit(names: Names, quantity: str, rest: Clause) -> Groups:
         yield [f"value of {found[0]} for which {text} = 0 at start" for text in what]
 
 
+@said_of(*(f"{far}node of mode {k}" for k in (1, 2, 3) for far in ("", "distance of ")))
+def _node(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a body, from its mass centre or another point of it."""
+    of = [name for before, name in rest.names if before != "from"]
+    origin = [name for before, name in rest.names if before == "from"]
+    if rest.only("name", "pronoun", *SILENT) and len(of) <= 1 and len(origin) <= 1:
+        bodies = [name for name in of if name in names.bodies]
+        yield [" of ".join((quantity, *bodies)) + "".join(f" from {name}" for name in origin)]
+
+
 @said_of("spin rate")
 def _spin(names: Names, quantity: str, rest: Clause) -> Groups:
     """The rate of the last of the angles by which a body is turned, about its own axis; the only one in a plane."""
