@@ -20,11 +20,13 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, ready
 from freebody.narrative.principles.sides import parted
 from freebody.narrative.questions.wanted import has_values, introduced
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
@@ -270,12 +272,22 @@ class _Refined:
             elif question.event is not None:
                 found = at_event(setup, of, draw, draw.start(), patience(draw.start(), LONGEST), question.event)
             else:
-                here = world.snapshot
-                moved = draw.start() if question.at_start else draw.reference.snapshot(here.q, here.v, here.t)
+                moved = draw.start() if question.at_start else self._led_along(draw, world)
                 found = of.value(setup.system, draw.seen(moved))
         if isinstance(found, (int, float)):
             return float(found)
         raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+
+    def _led_along(self, draw: Draw, world: World) -> Snapshot:
+        """The instant of a world with other numbers of the parameters: what is driven is where its drive, which may
+        hang on them, has it then, and the coordinates are as they were."""
+        here, reference, model = world.snapshot, draw.reference, world.glossary.setup.model
+        if not any(row.is_driven for row in self.system.constraint_rows):
+            return reference.snapshot(here.q, here.v, here.t)
+        measures = [m for c in model.coordinates if (m := model.measure_of(c)) is not None]
+        q = reference.pose_near(here.q, [(m, here.value(m)) for m in measures], here.t)
+        v = reference.velocities(q, [(m, here.rate(m)) for m in measures], here.t, with_start=False)
+        return reference.snapshot(q, v, here.t)
 
 
 def _of(question: Question, of: Quantity) -> Question:
