@@ -251,3 +251,23 @@ def test_what_has_no_instant_is_asked_for_a_value_of_a_parameter(question: str, 
 def test_an_amplitude_at_another_frequency_is_that_of_the_frequency_response() -> None:
     found = posed(FORCED, "steady amplitude of x when Omega = 20 rad/s").value
     assert found == pytest.approx(14 / math.hypot(480 - 3 * 20**2, 9 * 20))
+
+
+BASE = """
+parameters: {m: 2 kg, k: 200 N/m, Y: 0.01 m, Omega: 12 rad/s}
+bodies: {b: {particle: {mass: m}}}
+connections: {g: {slider: {body: b, along: up}}}
+measures: {y: y of b}
+loads: {s: {law: {measure: y, force: -k*(y - Y*cos(Omega*t))}}}
+start: {y: 0}
+"""
+
+
+def test_a_phase_above_and_below_resonance_is_told_as_the_case_that_holds() -> None:
+    """Undamped, at 12 rad/s beside the natural frequency of 10 rad/s; other numbers swing in phase."""
+    is_derived(BASE, "phase lag of y")
+    assert posed(BASE, "phase lag of y when Omega = 5 rad/s").value == 0.0
+    assert posed(BASE.replace("12 rad", "5 rad"), "phase lag of y when Omega = 30 rad/s").value == pytest.approx(
+        math.pi
+    )
+    is_derived(BASE.replace("12 rad", "5 rad"), "phase lag of y when Omega = 30 rad/s")

@@ -24,6 +24,7 @@ from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, fresh, named, names_of, side_of
 from freebody.narrative.lines.script import DerivationStage
 from freebody.narrative.questions.small_telling import SmallTelling
+from freebody.narrative.questions.wanted import answer_holds
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced, SteadyAmplitude
@@ -381,6 +382,7 @@ def _forced(q: Forced, telling: SmallTelling) -> None:
             sides.append(divide(size, _root(below)))
         args: dict[str, Argument] = {"lines": lines}
         assert not isinstance(expression, tuple)
+        script.glossary = script.glossary.where(lambda world: answer_holds(world, telling.answer))
         why = f"small.forced_{q.kind.replace(' ', '_')}"
         script.line(*sides, expression, why=why, args=args, uses=lines, when="never")
 
