@@ -263,6 +263,7 @@ def _asked_of_node(
     args: dict[str, Argument] = {"line": last}
     shown = sides[0] if n == 1 else tuple(sides)
     left, found = side_of(symbol, n), _expression(telling)
+    script.glossary = script.glossary.where(lambda world: answer_holds(world, telling.answer))
     script.line(left, shown, found, why="small.node_is", args=args, uses=(last,), when="never")
 
 

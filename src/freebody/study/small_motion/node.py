@@ -14,13 +14,13 @@ from freebody.study.answering.finding import Finding
 from freebody.study.setup import Setup
 from freebody.study.small_motion.resting import AtRest, beside, compared, oscillates
 from freebody.study.small_motion.shapes import ModeReader, amplitudes, undamped_modes
-from freebody.symbolic.conditions import Condition
-from freebody.symbolic.functions import functions
+from freebody.symbolic.conditions import Condition, require
 from freebody.symbolic.ratio import Ratio
 from freebody.symbolic.small_motion import FreeOscillations, free_oscillations, place_of_mode
 from freebody.tolerances import ROUND_OFF
 
 WHERE = Message("[1] is to the right, [2] up")
+ON_THIS_SIDE = Message("the node is on this side")
 
 
 def node_of_mode(setup: Setup, question: Question, q: NodeOfMode, at_rest: AtRest) -> Finding:
@@ -31,22 +31,31 @@ def node_of_mode(setup: Setup, question: Question, q: NodeOfMode, at_rest: AtRes
         raise _does_not_turn(q)
     f = setup.model.field
     node = [f.lowest_terms(-up / turn), f.lowest_terms(right / turn)]
+    sides: list[Condition] = []
     if q.is_distance:
-        node = [_size(setup, node)]
+        far, sides = _size(setup, node)
+        node = [far]
     swinging = [] if free.modes[k].square.is_zero() else [free.modes[k]]
-    conditions: list[Condition] = [*at_rest(free.rest, ">"), *oscillates(free, swinging)]
+    conditions: list[Condition] = [*at_rest(free.rest, ">"), *oscillates(free, swinging), *sides]
     evidence = compared(setup, question, node, free.equilibrium, conditions, beside(NodeReader(setup, free, q)))
     notes = [*free.notes, *(() if q.is_distance else (WHERE,))]
     found = node[0] if q.is_distance else tuple(node)
     return Finding(found, evidence, conditions, notes, may_be_complex=free.are_real_by_symmetry)
 
 
-def _size(setup: Setup, node: Sequence[Ratio]) -> Ratio:
-    f = setup.model.field
+def _size(setup: Setup, node: Sequence[Ratio]) -> tuple[Ratio, list[Condition]]:
+    """How far it is there; along one axis it is the component itself, on the side on which it lies at the model's own
+    values."""
+    f, samples = setup.model.field, setup.model.samples
     moved = [x for x in node if not x.is_zero()]
-    if len(moved) < len(node):
-        return functions(f, setup.model.samples.is_negative)["abs"](moved[0]) if moved else f.zero
-    return f.sqrt(f.lowest_terms(node[0] * node[0] + node[1] * node[1]), setup.model.samples.is_negative)
+    if not moved:
+        return f.zero, []
+    if len(moved) > 1:
+        return f.sqrt(f.lowest_terms(node[0] * node[0] + node[1] * node[1]), samples.is_negative), []
+    own = (samples.at_starts(moved[0]) or [0.0])[0]
+    far = -moved[0] if own < 0.0 else moved[0]
+    condition, _possible = require(far, ">", ON_THIS_SIDE)
+    return far, [] if condition is None else [condition]
 
 
 def _does_not_turn(q: NodeOfMode) -> CannotAnswer:
