@@ -6,7 +6,7 @@ from __future__ import annotations
 
 import freebody as fb
 from freebody.study.setup import Setup
-from posed import is_formula
+from posed import is_derived, is_formula
 
 # the slot of the wheel goes through its middle, which is the reference point of that body and not that of the ground
 GENEVA = """
@@ -77,3 +77,4 @@ def test_the_speed_at_which_no_torque_is_needed_is_so_at_every_instant() -> None
     # T = r^2 (m omega^2 - k) sin(theta) cos(theta): where theta is a multiple of 90 degrees it is so at any speed
     found = is_formula(YOKE, "value of omega for which driving torque of motor = 0", "sqrt(k/m)")
     assert any("at every instant" in str(note) for note in found.notes)
+    is_derived(YOKE, "value of omega for which driving torque of motor = 0")  # at any time, where the drive has it then

@@ -10,7 +10,7 @@ import math
 
 import pytest
 
-from posed import is_derived, posed
+from posed import is_derived, is_formula, posed
 
 FORCED = """
 parameters: {m: 3 kg, k: 480 N/m, c: 9 N*s/m, F0: 14 N, Omega: 11 rad/s}
@@ -233,3 +233,41 @@ start: {x: 0, rate(x): 0}
 """
     answer = posed(table, "which is greater, tension of left or tension of right")
     assert answer.verdict == "the second one is greater"
+
+
+@pytest.mark.parametrize(
+    ("question", "formula"),
+    [
+        ("steady amplitude of x when Omega = sqrt(k/m)", "F0/(c*sqrt(k/m))"),  # Rao, eq. 3.35: delta_st/(2 zeta)
+        ("phase lag of x when Omega = sqrt(k/m)", "pi/2"),
+        ("damping ratio for c = 2*sqrt(k*m)", "1"),
+        ("natural frequency when k = 4*k", "2*sqrt(k/m)"),
+    ],
+)
+def test_what_has_no_instant_is_asked_for_a_value_of_a_parameter(question: str, formula: str) -> None:
+    is_formula(FORCED, question, formula)
+
+
+def test_an_amplitude_at_another_frequency_is_that_of_the_frequency_response() -> None:
+    found = posed(FORCED, "steady amplitude of x when Omega = 20 rad/s").value
+    assert found == pytest.approx(14 / math.hypot(480 - 3 * 20**2, 9 * 20))
+
+
+BASE = """
+parameters: {m: 2 kg, k: 200 N/m, Y: 0.01 m, Omega: 12 rad/s}
+bodies: {b: {particle: {mass: m}}}
+connections: {g: {slider: {body: b, along: up}}}
+measures: {y: y of b}
+loads: {s: {law: {measure: y, force: -k*(y - Y*cos(Omega*t))}}}
+start: {y: 0}
+"""
+
+
+def test_a_phase_above_and_below_resonance_is_told_as_the_case_that_holds() -> None:
+    """Undamped, at 12 rad/s beside the natural frequency of 10 rad/s; other numbers swing in phase."""
+    is_derived(BASE, "phase lag of y")
+    assert posed(BASE, "phase lag of y when Omega = 5 rad/s").value == 0.0
+    assert posed(BASE.replace("12 rad", "5 rad"), "phase lag of y when Omega = 30 rad/s").value == pytest.approx(
+        math.pi
+    )
+    is_derived(BASE.replace("12 rad", "5 rad"), "phase lag of y when Omega = 30 rad/s")

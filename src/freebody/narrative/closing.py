@@ -23,6 +23,7 @@ from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listi
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.narrative.questions.of_place import at_its_place
+from freebody.narrative.questions.wanted import answer_holds
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
@@ -54,6 +55,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         _parts(context, script, question, answer)
         is_told = True
     if answer.expression is not None and not is_told:
+        if scope == "small motion":  # of which other parameters may have another case: in phase, in opposite phase
+            script.glossary = script.glossary.where(lambda world: answer_holds(world, answer))
         n = len(answer.expression) if isinstance(answer.expression, tuple) else 1
         own = _own_symbols(context, question)
         left = side_of(asked_symbol(context, question, n), n) if own is None else own

@@ -51,6 +51,7 @@ from freebody.questions.turned_round import (
     LIMIT,
     OVER_PARAMETER,
     PARAMETER_FOR,
+    PARAMETER_IS,
     REACHED,
     VALUE_FOR,
     RangeFor,
@@ -147,6 +148,7 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
             return read_extremal(_asked, names, names.parameters[over["parameter"]], over, when, asks_place=False)
     if asks_for_change(names, phrase):
         return read_change(_asked, names, phrase, when)
+    phrase = _with_its_value(names, phrase)
     limit = LIMIT.match(phrase)
     if (
         limit is not None
@@ -172,6 +174,19 @@ def _asked(names: Names, phrase: str, when: object) -> Meant | None:
     if operands is not None:
         return _calculated(names, phrase, operands, condition, at_start, path)
     return _meant(names, phrase, condition, at_start, path)
+
+
+def _with_its_value(names: Names, phrase: str) -> str:
+    """What has no instant of its own, as an amplitude or a natural frequency, when a parameter has a value: as that
+    tends to it."""
+    found = PARAMETER_IS.fullmatch(phrase)
+    if found is None or found["parameter"] not in names.parameters or found["parameter"] in names.measures:
+        return phrase
+    with names.quietly(), names.one_number():
+        quantity = read_quantity(names, found["of"], ("find",))
+    if quantity is None or quantity.scope != "small motion" or quantity.is_verdict:
+        return phrase
+    return f"{found['of']} as {found['parameter']} -> {found['value']}"
 
 
 def _is_vector(names: Names, phrase: str) -> bool:

@@ -42,6 +42,9 @@ EXTREME_FOR = re.compile(
 _TO = r"(?:->|→|tends? to|goes? to|approach(?:es)?)"
 _BEYOND = r"(?:without (?:bound|limit|end)|very large|large|infinite|beyond all bounds)"
 _LARGE = rf"(?:(?:grows?|increases?)(?: {_BEYOND})?|(?:becomes?|gets?|is) {_BEYOND})"
+PARAMETER_IS = re.compile(
+    rf"^(?P<of>.+?) (?:when|for|if|at|with) (?:the )?(?P<parameter>{NAME}) ?(?:=|is|equals) ?(?P<value>[^=<>]+)$"
+)
 LIMIT = re.compile(
     rf"^(?:the )?(?:limit(?:ing value)? of (?:the )?)?(?P<of>.+?) (?:as|for|when|where|in the limit) (?:the )?"
     rf"(?P<parameter>{NAME}) ?(?:{_TO} ?(?P<value>.+?)|(?P<large>{_LARGE})|(?P<small>vanishes|becomes (?:very )?small))"

@@ -12,7 +12,8 @@ ch. 2 and 3.
 from __future__ import annotations
 
 import math
-from functools import singledispatch
+from collections.abc import Callable, Sequence
+from functools import partial, singledispatch
 
 from freebody.errors import CannotAnswer, FormulaTooLong
 from freebody.language.expression import Call, Expr, Symbol, add, divide, multiply, number, power, substitute
@@ -20,12 +21,14 @@ from freebody.language.sentences import Argument, Message, Sentence
 from freebody.measures.base import Measure
 from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.glossary import Meaning, World
-from freebody.narrative.lines.naming import asked_as, asked_entry, fresh, named
+from freebody.narrative.lines.naming import asked_as, asked_entry, asked_symbol, fresh, named, names_of, side_of
 from freebody.narrative.lines.script import DerivationStage
 from freebody.narrative.questions.small_telling import SmallTelling
+from freebody.narrative.questions.wanted import answer_holds
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced, SteadyAmplitude
+from freebody.questions.node_of_mode import NodeOfMode
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import (
     Damping,
@@ -203,6 +206,67 @@ def _amplitudes(q: AmplitudeRatio, telling: SmallTelling) -> None:
         script.line(ratio, shown, why="small.shape_is", args=args, uses=(roots[k],), when="never")
 
 
+@_tell.register(NodeOfMode)
+def _node(q: NodeOfMode, telling: SmallTelling) -> None:
+    """The parts of the mode, how the body moves in it, and the point that it turns about."""
+    symbols, roots = telling.beside()
+    script, context, readers, k = telling.script, telling.context, telling.readers, q.number - 1
+    short, args = telling.field.lowest_terms, dict[str, Argument](k=q.number, line=roots[k])
+    parts = [Symbol(fresh(context, f"v_{j + 1}{q.number}")) for j in range(len(symbols))]
+    with script.stage("small.shape", "small.shape_hint"):
+        script.say("small.ratios")
+        what = Sentence("small.part", {"k": q.number})
+        named(context, script, *(Meaning(v, what, readers.part(k, j)) for j, v in enumerate(parts)))
+        shape = tuple(tidy(short(x)) for x in telling.free.parts(k))
+        line = script.line(tuple(parts), shape, why="small.shape_is", args=args, uses=(roots[k],), when="never")
+    motion = q.motion(context.system)
+    moved = [readers.amplitude(k, measure) for measure in motion]
+    names = [Symbol(fresh(context, f"{letter}_{q.number}", f"{letter}_m{q.number}")) for letter in ("u", "w", "psi")]
+    with script.stage("small.node", "small.node_hint"):
+        about: dict[str, Argument] = {"k": q.number, "body": q.body, "point": q.point.name, "line": line}
+        keys = ("small.node_right", "small.node_up", "small.node_turn")
+        named(
+            context,
+            script,
+            *(Meaning(x, Sentence(key, about), r) for x, key, r in zip(names, keys, moved, strict=True)),
+        )
+        slopes = [telling.free.slopes(measure) for measure in motion]
+        sums = tuple(add(*(multiply(tidy(short(c)), v) for c, v in zip(row, parts, strict=True))) for row in slopes)
+        last = script.line(tuple(names), sums, why="small.node_moves", args=about, uses=(line,), when="never")
+        _asked_of_node(telling, q, names, moved, last)
+
+
+def _asked_of_node(
+    telling: SmallTelling,
+    q: NodeOfMode,
+    names: Sequence[Symbol],
+    moved: Sequence[Callable[[World], float]],
+    last: int,
+) -> None:
+    """The node as it is asked for, from how the body moves: to the right, up, and by turning."""
+    script, context, question = telling.script, telling.context, telling.question
+    right, up, turn = names
+    sides: list[Expr] = [multiply(number(-1), divide(up, turn)), divide(right, turn)]
+    if q.is_distance:
+        sides = [divide(_root(add(power(right, number(2)), power(up, number(2)))), Call("abs", turn))]
+
+    def read(world: World, k: int) -> float:
+        x, y, angle = (reader(world) for reader in moved)
+        return math.hypot(x, y) / abs(angle) if q.is_distance else (-y, x)[k] / angle
+
+    n = len(sides)
+    symbol = asked_symbol(context, question, n)
+    for k, name in enumerate(names_of(symbol, n) if n > 1 else (symbol,)):
+        what = context.glossary.meanings[name.name].what
+        script.glossary.redefine(Meaning(name, what, partial(read, k=k), "m"))
+    script.add(asked_entry(symbol, question, "m", n))
+    args: dict[str, Argument] = {"line": last}
+    shown = sides[0] if n == 1 else tuple(sides)
+    left, found = side_of(symbol, n), _expression(telling)
+    script.glossary = script.glossary.where(lambda world: answer_holds(world, telling.answer))
+    script.line(left, shown, found, why="small.node_is", args=args, uses=(last,), when="never")
+
+
 @_tell.register(Damping)
 def _damping(q: Damping, telling: SmallTelling) -> None:
     """How one coordinate dies away; of several, each mode by itself."""
@@ -319,6 +383,7 @@ def _forced(q: Forced, telling: SmallTelling) -> None:
             sides.append(divide(size, _root(below)))
         args: dict[str, Argument] = {"lines": lines}
         assert not isinstance(expression, tuple)
+        script.glossary = script.glossary.where(lambda world: answer_holds(world, telling.answer))
         why = f"small.forced_{q.kind.replace(' ', '_')}"
         script.line(*sides, expression, why=why, args=args, uses=lines, when="never")
 

@@ -120,6 +120,17 @@ class SmallMotions:
 
         return read
 
+    def amplitude(self, k: int, measure: Measure) -> Callable[[World], float]:
+        """Of a measure in a mode."""
+        parts = [self.part(k, j) for j in range(len(self.measures))]
+
+        def read(world: World) -> float:
+            q = self.pose(world.draw)
+            moves = (part(world) * self._velocity(world.draw, q, j) for j, part in enumerate(parts))
+            return float(world.draw.reference.snapshot(q, sum(moves, start=0.0 * q)).rate(measure))
+
+        return read
+
     def exponent(self, k: int, n: int) -> Callable[[World], float]:
         """The squares of the exponents that are not zero, ascending: the n largest by size."""
 

@@ -9,9 +9,7 @@ from fractions import Fraction
 
 from freebody.errors import CannotAnswer, ModelError
 from freebody.language.expression import FLOAT_FUNCTIONS, Expr, Symbol, evaluate, number, substitute
-from freebody.language.notation import Stated
 from freebody.language.sentences import Message, Sentence
-from freebody.language.truth import is_true
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.first_turn import at_first_turn
@@ -19,12 +17,14 @@ from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import DerivationStage, Legend, NumberedFormula, Script, ready
 from freebody.narrative.principles.sides import parted
-from freebody.narrative.questions.wanted import has_values, introduced
+from freebody.narrative.questions.wanted import answer_holds, has_values, introduced
+from freebody.numeric.snapshot import Snapshot
 from freebody.questions.base import Quantity, Wanted
 from freebody.questions.happening import Happening
 from freebody.questions.reading import Question
 from freebody.questions.turned_round import EXTREMAL, TENDS
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.draws import Draw
 from freebody.study.answering.numbers import LONGEST, at_event, number_at
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
@@ -33,10 +33,10 @@ from freebody.study.answering.witness import patience
 from freebody.symbolic.limits import derivative_by
 from freebody.symbolic.relations import readable
 from freebody.system.system import System
-from freebody.tolerances import ROUND_OFF
 
 _ROOT = 1e-6  # of what the quantity changes by nearby: it has the wanted value
 _BESIDE = 1e-4  # of its own value: a parameter that is near its limit
+_ALIKE = 0.1  # relative: two cases differ by more where one of them is near its limit
 _STEP = 1e-4  # of the value: by so much it is changed to see how the quantity changes
 
 
@@ -78,7 +78,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         return [*stages, *script.stages]
     if quantity.relation != "=" and not _are_roots(there, quantity, formula, values):
         raise CannotAnswer(Message("the ends of the range are where the formula of the quantity stops to be true"))
-    glossary = there.glossary.where(lambda world: has_values(world, values) and _holds(world, answer))
+    glossary = there.glossary.where(lambda world: has_values(world, values) and answer_holds(world, answer))
     script = Script(glossary, max([context.next_number - 1, *numbers]) + 1)
     with script.stage("stage.turned", "hint.turned", name=quantity.parameter):
         _solved(there, script, question, formula, values)
@@ -95,12 +95,6 @@ def _as_asked_before(system: System, question: Question, quantity: Wanted) -> tu
         if same == (quantity.of, question.event, question.transition, question.at_start):
             return q.id, q.text
     return "q1", quantity.text
-
-
-def _holds(world: World, answer: Answer) -> bool:
-    """Whether the answer is the one there: elsewhere another one is, as where a contact slips."""
-    stated = [condition.expression for condition in answer.conditions if isinstance(condition, Stated)]
-    return all(is_true(each, world.draw.values, round_off=ROUND_OFF) is not False for each in stated)
 
 
 def _values_of(answer: Answer) -> tuple[Expr, ...]:
@@ -182,18 +176,36 @@ def _reached(
     """The quantity as a formula; where it is out of reach with the number that the file gives, with another one. Of
     several values of a steady motion the one that is solved for the answer."""
     why: Message | str = ""
+    elsewhere: tuple[Context, Answer, Expr] | None = None  # the formula of another case than the one near a limit
     for system in with_others(context.system, quantity.parameter):
         here = context if system is context.system else Context(system, context.next_number, context.introduced)
         setup = None if has_phases(system) else here.setup
         (given,) = solve(replace(system, questions=(asked,)), setup=setup).answers
         if given.expression is not None and not isinstance(given.expression, tuple):
-            return here, given, given.expression
+            if quantity.relation != TENDS or _tends_to(context, quantity, given.expression, values[0]):
+                return here, given, given.expression
+            elsewhere = elsewhere or (here, given, given.expression)
         if isinstance(given.expression, tuple) and asked.quantity.scope == "steady motion":
             formula = next((x for x in given.expression if _are_roots(here, quantity, x, values)), None)
             if formula is not None:
                 return here, given, formula
         why = why or given.reason
+    if elsewhere is not None:
+        return elsewhere
     raise CannotAnswer(why or Message("there is no closed form"))
+
+
+def _tends_to(context: Context, quantity: Wanted, formula: Expr, limit: Expr) -> bool:
+    """Whether a formula is near its limit where the parameter is, at the model's own numbers; so it is taken to be
+    where that is not told by numbers."""
+    own = context.setup.draws[0].values
+    with suppress(ArithmeticError, ValueError, KeyError):
+        beside = abs(own[quantity.parameter]) or 1.0
+        at = beside / _BESIDE if quantity.end == "grows" else _BESIDE * beside
+        at += float(evaluate(quantity.target, own, FLOAT_FUNCTIONS))
+        near, wanted = (float(evaluate(x, {**own, quantity.parameter: at}, FLOAT_FUNCTIONS)) for x in (formula, limit))
+        return abs(near - wanted) <= _ALIKE * max(abs(near), abs(wanted)) or wanted == 0.0
+    return True
 
 
 def _solved(context: Context, script: Script, question: Question, formula: Expr, values: Sequence[Expr]) -> None:
@@ -270,12 +282,22 @@ class _Refined:
             elif question.event is not None:
                 found = at_event(setup, of, draw, draw.start(), patience(draw.start(), LONGEST), question.event)
             else:
-                here = world.snapshot
-                moved = draw.start() if question.at_start else draw.reference.snapshot(here.q, here.v, here.t)
+                moved = draw.start() if question.at_start else self._led_along(draw, world)
                 found = of.value(setup.system, draw.seen(moved))
         if isinstance(found, (int, float)):
             return float(found)
         raise CannotAnswer(Message("one number must have a value here, and that is none in closed form"))
+
+    def _led_along(self, draw: Draw, world: World) -> Snapshot:
+        """The instant of a world with other numbers of the parameters: what is driven is where its drive, which may
+        hang on them, has it then, and the coordinates are as they were."""
+        here, reference, model = world.snapshot, draw.reference, world.glossary.setup.model
+        if not any(row.is_driven for row in self.system.constraint_rows):
+            return reference.snapshot(here.q, here.v, here.t)
+        measures = [m for c in model.coordinates if (m := model.measure_of(c)) is not None]
+        q = reference.pose_near(here.q, [(m, here.value(m)) for m in measures], here.t)
+        v = reference.velocities(q, [(m, here.rate(m)) for m in measures], here.t, with_start=False)
+        return reference.snapshot(q, v, here.t)
 
 
 def _of(question: Question, of: Quantity) -> Question:

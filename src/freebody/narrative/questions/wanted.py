@@ -7,11 +7,15 @@ from collections.abc import Callable, Sequence
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Expr, Symbol
+from freebody.language.notation import Stated
 from freebody.language.sentences import Sentence
+from freebody.language.truth import is_true
 from freebody.narrative.context import Context
 from freebody.narrative.lines.glossary import Meaning, World
 from freebody.narrative.lines.script import Legend, Script
 from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
+from freebody.tolerances import ROUND_OFF
 
 
 def has_values(world: World, values: Sequence[Expr]) -> bool:
@@ -39,3 +43,9 @@ def introduced(
         script.glossary.redefine(Meaning(name, what, reader(value), question.quantity.unit))
         script.add(Legend(((name, what, question.quantity.unit),)))
     return names
+
+
+def answer_holds(world: World, answer: Answer) -> bool:
+    """Whether the answer is the one there: elsewhere another one is, as where a contact slips."""
+    stated = [condition.expression for condition in answer.conditions if isinstance(condition, Stated)]
+    return all(is_true(each, world.draw.values, round_off=ROUND_OFF) is not False for each in stated)

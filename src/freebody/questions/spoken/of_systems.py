@@ -6,7 +6,7 @@ import re
 from itertools import product
 from typing import TYPE_CHECKING
 
-from freebody.language.expression import free_symbols
+from freebody.language.expression import ZERO, free_symbols
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import driving, given, joining, lookup, losing, of_axles, rubbing, transmitting
@@ -323,15 +323,40 @@ def _orbit(names: Names, quantity: str, rest: Clause) -> Groups:
     """The speed at the start with which it never comes back, or goes round in a circle: no energy, no acceleration
     outwards."""
     drawn = [name for name in names.loads if "attraction" in names.called.get(name, ())]
-    if not rest.only("name", *SILENT) or len(drawn) != 1 or {*names.loads} - {*drawn}:
+    if not rest.only("name", *SILENT):
+        return
+    named = [name for _, name in rest.names if name in names.parameters]
+    if len(drawn) != 1 or {*names.loads} - {*drawn}:
+        if quantity == "circular orbit speed":
+            yield from _round_the_vertical(names, named)
         return
     found = given.started_with(names, [*lookup.moving(names), *names.start_rates])
-    named = [name for _, name in rest.names if name in names.parameters]
     found = [name for name in named or found if name in found]
     outward = [name for name, measure in names.measures.items() if isinstance(measure, Distance)]
     if len(found) == 1:
         what = ["total energy"] if quantity == "escape velocity" else [f"acceleration of {name}" for name in outward]
         yield [f"value of {found[0]} for which {text} = 0 at start" for text in what]
+
+
+def _round_the_vertical(names: Names, named: list[str]) -> Groups:
+    """With which start something goes round steadily: its only coordinate that starts at rest, beside one that does
+    not, stays as it is."""
+    going = {name: rate for name, rate in names.start_rates.items() if rate != ZERO}
+    still = [name for name in names.placed_at_start if name in names.measures and name not in going]
+    chosen = frozenset[str]().union(*map(free_symbols, going.values()))
+    speeds = [name for name in named or given.of_kind(names, "speed") if name in chosen]
+    if len(going) == len(still) == len(speeds) == 1:
+        yield [f"value of {speeds[0]} for which {still[0]} stays constant"]
+
+
+@said_of(*(f"{far}node of mode {k}" for k in (1, 2, 3) for far in ("", "distance of ")))
+def _node(names: Names, quantity: str, rest: Clause) -> Groups:
+    """Of a body, from its mass centre or another point of it."""
+    of = [name for before, name in rest.names if before != "from"]
+    origin = [name for before, name in rest.names if before == "from"]
+    if rest.only("name", "pronoun", *SILENT) and len(of) <= 1 and len(origin) <= 1:
+        bodies = [name for name in of if name in names.bodies]
+        yield [" of ".join((quantity, *bodies)) + "".join(f" from {name}" for name in origin)]
 
 
 @said_of("spin rate")

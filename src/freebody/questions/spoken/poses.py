@@ -115,15 +115,17 @@ def lowermost(names: Names, body: str) -> list[str]:
 
 
 def _swinging(names: Names, body: str) -> list[str]:
-    """The condition that the mass centre of what rocks, or swings, from rest is lowest, where no line tells it."""
+    """The condition that the mass centre of what rocks, or swings, from rest is lowest, where no line tells it; in
+    space, whatever it starts with: it goes round, up and down."""
     moving = lookup.massive(names)
     if moving not in ([body], [moving[0]] if moving and not body else None):
         return []
     weighs = any("gravity" in names.called.get(load, ()) for load in names.loads)
     hung = {*lookup.springs(names)} if lookup.heights(names, moving[0]) else set[str]()  # it goes up and down on them
     is_free = weighs and len({*names.loads} - hung) == 1 and not driving.is_driven(names)
-    is_led = bool(hung) or (bool(lookup.angles(names, moving[0])) and not lookup.ways(names, moving[0]))
-    if not is_free or not lookup.rests(names) or not is_led:
+    goes_round = bool(names.connections) if names.space else bool(lookup.angles(names, moving[0]))
+    is_led = bool(hung) or (goes_round and not lookup.ways(names, moving[0]))
+    if not is_free or not is_led or not (names.space or lookup.rests(names)):
         return []
     return [f"height of {lookup.mass_center_of(names, moving[0])} is least"]
 

@@ -20,7 +20,7 @@ from freebody.study.answering.answer import Evidence
 from freebody.study.answering.conditions import real as real_conditions
 from freebody.study.answering.crosscheck import INSTANT_TOLERANCE, MOTION_TOLERANCE, CrossCheck, element_at, holds
 from freebody.study.answering.draws import SEED, Draw
-from freebody.study.answering.finding import Finding
+from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.formula import Formula
 from freebody.study.answering.magnitude import magnitude
 from freebody.study.answering.numbers import number_at
@@ -101,7 +101,7 @@ class _Search:
                 why = why or error
                 continue
             return _Found(formula, approach, tends, (*conditions, *approach.conditions))
-        raise why or CannotAnswer(Message("near the limit the formula is not true"))
+        raise why or NotHere(Message("near the limit the formula is not true"))
 
     def _near(self, approach: Approach, formula: Formula) -> list[Condition] | None:
         """What the conditions of a formula come to near the limit; None where one of them does not hold there."""

@@ -8,6 +8,7 @@ from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced
+from freebody.questions.node_of_mode import NodeOfMode
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Damping, EquilibriumStability, ModeShapes
 from freebody.study.answering.finding import Finding
@@ -55,6 +56,13 @@ def _shapes(q: ModeShapes, setup: Setup, question: Question, at_rest: AtRest) ->
     from freebody.study.small_motion.shapes import mode_shapes
 
     return mode_shapes(setup, question, q, at_rest)
+
+
+@_find.register(NodeOfMode)
+def _node(q: NodeOfMode, setup: Setup, question: Question, at_rest: AtRest) -> Finding:
+    from freebody.study.small_motion.node import node_of_mode
+
+    return node_of_mode(setup, question, q, at_rest)
 
 
 @_find.register(Damping)

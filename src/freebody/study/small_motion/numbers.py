@@ -13,6 +13,7 @@ from freebody.numeric.vibration import stability
 from freebody.questions.amplitude_ratio import AmplitudeRatio
 from freebody.questions.base import Quantity
 from freebody.questions.forced_motion import Forced
+from freebody.questions.node_of_mode import NodeOfMode
 from freebody.questions.reading import Question
 from freebody.questions.small_motion import Damping, EquilibriumStability, ModeShapes
 from freebody.study.answering.at_equilibrium import AT_REST, places_at, small_motions_at, unrest
@@ -22,10 +23,12 @@ from freebody.study.small_motion.ask import looked_at
 from freebody.study.small_motion.damping import damped_values
 from freebody.study.small_motion.equilibrium import nearest_equilibrium, refuse_out_of_bounds
 from freebody.study.small_motion.forced import forced_number
+from freebody.study.small_motion.node import NodeReader
 from freebody.study.small_motion.shapes import ModeReader, RatioReader, undamped_modes
 from freebody.study.small_motion.stability import SQUARES, WITHOUT_DAMPING, exponents
 from freebody.symbolic.equilibrium import find_equilibrium
 from freebody.symbolic.linearised import swing_of
+from freebody.symbolic.small_motion import place_of_mode
 
 Numbers = float | tuple[float, ...]
 _VERDICTS = {
@@ -62,12 +65,19 @@ def _damping(q: Damping, setup: Setup, draw: Draw) -> Numbers:
 def _shapes(q: ModeShapes, setup: Setup, draw: Draw) -> Numbers:
     small = _small(setup, draw)
     n = len(undamped_modes(small)[0])
-    if q.number is not None and q.number > n:
-        raise CannotAnswer(Message("there are {n} modes only", n=n))
+    if q.number is not None:
+        place_of_mode(n, q.number)
     if q.is_ratio:
         assert isinstance(q, AmplitudeRatio)
         return float(RatioReader(setup, [q.number - 1], None, q)(small)[0])
     return tuple(ModeReader(setup, range(n) if q.number is None else [q.number - 1])(small))
+
+
+@_number.register(NodeOfMode)
+def _node(q: NodeOfMode, setup: Setup, draw: Draw) -> Numbers:
+    small = _small(setup, draw)
+    place_of_mode(len(undamped_modes(small)[0]), q.number)
+    return _one_or_more(list(NodeReader(setup, None, q)(small)))
 
 
 @_number.register(EquilibriumStability)

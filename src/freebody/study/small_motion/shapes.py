@@ -10,6 +10,7 @@ from freebody.errors import CannotAnswer, SaysNothing
 from freebody.language.expression import Symbol
 from freebody.language.notation import to_text
 from freebody.language.sentences import Message
+from freebody.measures.base import Measure
 from freebody.numeric.jets import Array
 from freebody.numeric.linearised import basis_of_shapes, generalized_modes
 from freebody.numeric.small_motion import SmallMotion
@@ -56,21 +57,30 @@ def mode_shapes(setup: Setup, question: Question, q: ModeShapes, at_rest: AtRest
 
 
 def _ratio(setup: Setup, q: AmplitudeRatio, free: FreeOscillations) -> Ratio:
-    """dm_1.v/dm_2.v at the equilibrium, of two measures and the parts v of the mode. Raises CannotAnswer where one
-    depends on more than the coordinates, or does not move."""
-    model, f, mode = setup.model, setup.model.field, free.modes[q.number - 1]
+    """That of the amplitudes of two measures. Raises CannotAnswer where the second does not move."""
+    measures = [(name, setup.system.measures[name]) for name in (q.top, q.bottom)]
+    top, bottom = amplitudes(setup, free, free.modes[q.number - 1], measures)
+    if bottom.is_zero():
+        raise CannotAnswer(Message("{name} does not swing in mode {k}", name=q.bottom, k=q.number))
+    return setup.model.field.lowest_terms(top / bottom)
+
+
+def amplitudes(
+    setup: Setup, free: FreeOscillations, mode: Mode, measures: Sequence[tuple[str, Measure]]
+) -> list[Ratio]:
+    """dm.v at the equilibrium, of measures and the parts v of a mode. measures: with what they are called. Raises
+    CannotAnswer where one depends on more than the coordinates."""
+    model, f = setup.model, setup.model.field
     shape = [mode.residues.at(x, mode.square) for x in free.shape(mode)]
-    amplitudes: list[Ratio] = []
-    for name in (q.top, q.bottom):
-        value, total = model.value_of(setup.system.measures[name]), f.zero
+    found: list[Ratio] = []
+    for name, measure in measures:
+        value, total = model.value_of(measure), f.zero
         if f.ingredients(value) & {c.index for c in model.dependent}:
             raise CannotAnswer(Message("{name} follows from a loop; ask for the mode shape", name=name))
         for c, part in zip(model.coordinates, shape, strict=True):
             total = total + f.follow(f.derivative(value, c.index), free.equilibrium) * part
-        amplitudes.append(f.lowest_terms(total))
-    if amplitudes[1].is_zero():
-        raise CannotAnswer(Message("{name} does not swing in mode {k}", name=q.bottom, k=q.number))
-    return f.lowest_terms(amplitudes[0] / amplitudes[1])
+        found.append(f.lowest_terms(total))
+    return found
 
 
 def _mode_told(k: int, free: FreeOscillations, mode: Mode, before: int) -> str:
