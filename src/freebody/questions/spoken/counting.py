@@ -301,7 +301,8 @@ def _while_it_turns(sentence: Sentence) -> Sentence:
 def _there_and_back(sentence: Sentence) -> Sentence:
     """How far it goes before it comes back is how far until it turns back, and not where it is when it is back."""
     main = sentence.main
-    if not (main.has("ask", "far", "much", "high") or main.has("quantity", "distance", "displacement")):
+    is_way = main.has("ask", "far", "much", "high") and not main.has("quantity")
+    if not (is_way or main.has("quantity", "distance", "displacement")):
         return sentence
     turns, returns = Word("verb", "turn_back"), Word("verb", "return")
     others = [
