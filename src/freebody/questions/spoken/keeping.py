@@ -50,6 +50,8 @@ _APART = re.compile(
     r"\b(?:abstand|entfernung) (?:zwischen ihnen|voneinander|zueinander)\b",
     re.IGNORECASE,
 )
+_SLIDES_OFF = re.compile(r"\b(?:slide|slip)s? off\b", re.IGNORECASE)
+_ALL_STOP = re.compile(r"\b(?:they|both)(?: have| all)?(?: both| all)? (?:stop|come to rest)", re.IGNORECASE)
 _WAY_OF_ONE = re.compile(r"(?:change of |greatest |least )?(?P<way>\w+)(?= |$)")
 _OF_TWO = re.compile(r"\b(?:(?:of|von|der) (?:the |den )?(?:both|two|beiden?|zwei)|beider) [^\W\d]", re.IGNORECASE)
 _SUMMED = re.compile(
@@ -195,6 +197,8 @@ def loses_other(names: Names, said: str, text: str) -> bool:
         return summed["of"] in names.bodies if summed["of"] else len(_resisting(names)) != _TWO
     if _APART.search(said) is not None and (way := _WAY_OF_ONE.match(text)) is not None:
         return way["way"] in names.measures and len({*names.measures[way["way"]].bodies()} - {GROUND}) == 1
+    if _ALL_STOP.search(said) is not None and "it stops" in text and len(lookup.moving(names)) > 1:
+        return True  # when the first one does
     own = _OF_ONE.match(text)
     return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
 
@@ -262,8 +266,10 @@ def is_one_without_other(said: str) -> bool:
 
 
 def loses_failure(said: str, text: str) -> bool:
-    """Whether it is to fail in one of two ways without the other, and that it does neither stands for it."""
-    return _RESTS.search(text) is not None and is_one_without_other(said)
+    """Whether it is to fail in one of two ways without the other, and that it does neither stands for it; or to slide
+    off what carries it, and that it slips does."""
+    falls = _SLIDES_OFF.search(said) is not None and text.startswith("whether ") and text.endswith(" slips")
+    return falls or (_RESTS.search(text) is not None and is_one_without_other(said))
 
 
 def loses_mass_center(said: str, text: str) -> bool:
