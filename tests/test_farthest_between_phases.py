@@ -175,3 +175,13 @@ def test_the_note_of_an_extreme_names_no_event_but_its_phase() -> None:
     [answer] = fb.solve(system, question="greatest -acceleration of y").answers
     assert answer.value == pytest.approx(25.628, rel=1e-4)
     assert not any("Calculated" in note for note in answer.notes)
+
+
+@pytest.mark.parametrize("asked", ["greatest height of ball", "greatest tension of string", "greatest y until t = 2 s"])
+def test_what_a_string_holds_no_longer_is_not_told_as_if_it_did(asked: str) -> None:
+    """Swung up with v0^2 = 30.25 m^2/s^2, between 2 g L and 5 g L, the string slackens at cos phi = (v0^2/(g L) - 2)/3
+    = 0.361 from up and the ball flies on, to 0.518 m over O; v0^2/(2 g) - L = 0.542 m is where a rod would take it."""
+    text = (EXAMPLES / "string_comes_taut_again.yaml").read_text("utf-8")
+    system = fb.System.from_text(text.replace("  r: {distance", "  y: {y of ball}\n  r: {distance"))
+    [answer] = system.solve(asked).answers
+    assert answer.value is None

@@ -1148,3 +1148,24 @@ def test_a_force_is_compared_with_a_value() -> None:
     q, P, a, b = (system.parameters[name].value for name in ("q", "P", "a", "b"))
     [answer] = fb.solve(system, question="Is the reaction at A larger than 1 kN?").answers
     assert answer.value == pytest.approx(abs(q * a / 2 - P * b / a) - 1000)
+
+
+def test_the_speed_at_which_a_power_is_greatest_is_not_that_of_the_start() -> None:
+    """(M0 - b w) w is greatest at w = M0/(2 b), which the arm passes; with that speed it need not begin."""
+    system = fb.System.from_text(
+        """
+parameters: {omega_0: 1 rad/s, M0: 20 N m, b: 2 N m s}
+bodies: {arm: {body: {inertia: 0.3 kg m^2}}}
+connections: {axle: {pin: [ground.O, arm]}}
+measures: {phi: angle of arm}
+loads: {motor: {torque: {on: arm, magnitude: M0 - b*rate(phi)}}}
+start: {phi: 0, rate(phi): omega_0}
+"""
+    )
+    asked = "at which angular velocity is the power of the motor greatest?"
+    assert [q.understood for q in system.asked(asked)] == ["angular velocity of arm when power of motor is greatest"]
+    with pytest.raises(ModelError):
+        system.asked("Bei welcher Winkelgeschwindigkeit ist die Leistung des Motors am größten?")
+    for asked in ("for which omega_0", "for which initial angular velocity"):
+        [question] = system.asked(f"{asked} is the power of the motor greatest at the start?")
+        assert question.understood == "value of omega_0 for which power of motor at start is largest"

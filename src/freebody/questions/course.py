@@ -328,7 +328,7 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
             leading = leads_to(names, name, on) if kind == "touches" else []
             if leading and set(both) <= {*leading}:
                 return None  # nothing can be struck there: an event of the measure between them
-            if of and not both:
+            if (of and not both) or on == name:
                 told = Message("{name} and {other} have no contact with each other", name=name, other=on)
                 names.problem(told, *path)
             of = both

@@ -25,6 +25,7 @@ from freebody.questions.greatest_section import GreatestInRod
 from freebody.questions.reading_when import Meant, beside_a_stop
 
 _ANYWHERE = "12.345"  # no place that means anything in a model
+_AT_TIME = re.compile(r"\b(?P<of>[^\W\d]\w*) ?\((?:t ?= ?)?(?P<time>\d[\d.]* ?(?:ms|s|min|h))\)")  # x(2 s)
 _AS_FUNCTION = re.compile(r"(?P<what>.+?) as a function of (?P<of>\w+)")
 KEYS_OF_QUESTIONS = ("find", "id", "when", "options", "key", "text", "points")
 
@@ -162,7 +163,7 @@ def _points(names: Names, given: object) -> float | None:
 def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:
     """What a text asks for, and the words of the grammar in which it does. when: what the file says of it beside the
     text, in words of the grammar or in others."""
-    text = names.spelt_out(text)
+    text = _at_its_time(names, names.spelt_out(text))
     if isinstance(when, str):
         when = names.spelt_out(when)
         with names.quietly():
@@ -172,6 +173,14 @@ def _understood(names: Names, text: str, when: object) -> list[tuple[Meant, str]
         if together:
             return together
     return _meant_by(names, text, when)
+
+
+def _at_its_time(names: Names, text: str) -> str:
+    """Where a measure stands with a time, as in x(2 s), it is meant then, and no product."""
+    found = _AT_TIME.search(text)
+    if found is None or found["of"] not in names.measures:
+        return text
+    return text.replace(found[0], f"{found['of']} when t = {found['time']}")
 
 
 def _meant_by(names: Names, text: str, when: object) -> list[tuple[Meant, str]]:

@@ -19,6 +19,7 @@ _JOINS = {
     "from": [Word("preposition", "to"), Word("mark", "until")],
     "of": [Word("preposition", "to"), Word("mark", "until")],
 }
+_HAPPENING = {"slack", "taut", "hit", "leave"}  # verbs of events that no measure gives
 _MOVES = {"move", "fall", "rise"}  # verbs that say no more than that it is under way
 
 
@@ -36,7 +37,7 @@ def time_between(names: Names, words: list[Word]) -> Groups:
     if joint is None or not is_time or not is_plain:
         return
     first, last = Clause(rest[:joint]), Clause(rest[joint + 1 :])
-    if not (first.has("relation") and last.has("relation")):
+    if not all(clause.has("relation") or {*clause.all("verb")} & _HAPPENING for clause in (first, last)):
         return
     measures = [names.measures[name] for _, name in (*first.names, *last.names) if name in names.measures]
     moved = {body for measure in measures for body in measure.bodies()}

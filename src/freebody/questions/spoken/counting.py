@@ -301,13 +301,28 @@ def _while_it_turns(sentence: Sentence) -> Sentence:
 def _there_and_back(sentence: Sentence) -> Sentence:
     """How far it goes before it comes back is how far until it turns back, and not where it is when it is back."""
     main = sentence.main
-    if not (main.has("ask", "far", "much", "high") or main.has("quantity", "distance", "displacement")):
+    is_way = main.has("ask", "far", "much", "high") and not main.has("quantity")
+    if not (is_way or main.has("quantity", "distance", "displacement")):
         return sentence
     turns, returns = Word("verb", "turn_back"), Word("verb", "return")
     others = [
         (mark, [turns if mark == "until" and w == returns else w for w in own.words]) for mark, own in sentence.others
     ]
     return Sentence(main, tuple((mark, Clause(own)) for mark, own in others))
+
+
+def _ways_gone(names: Names, main: Clause, who: str) -> list[str]:
+    """Measures of how far something goes. What moves along several directions has a path that none of them tells, and
+    a displacement that each one measures a part of."""
+    if main.has("part", "vertical"):
+        return [name for name, _ in lookup.heights(names, who)]
+    return [] if _is_of_no_measure(names, main, who) else _without_heights(names, who, lookup.went(names, who))
+
+
+def _is_of_no_measure(names: Names, main: Clause, who: str) -> bool:
+    asked = main.all("quantity")
+    is_whole = asked == ["distance travelled"] or (asked == ["displacement"] and not main.has("part"))
+    return is_whole and who not in names.measures and lookup.is_free(names, who)
 
 
 def _heads_counted(names: Names, sentence: Sentence) -> Groups:
@@ -355,12 +370,12 @@ def _heads_counted(names: Names, sentence: Sentence) -> Groups:
         elif "turn" in verbs and main.has("ask", "far", "much", "large"):
             yield [f"change of {name}" for name in lookup.angles(names, who)]
         else:
-            is_path = counted != "change of" and who not in names.measures and lookup.is_free(names, who)
-            ways = [] if is_path else _without_heights(names, who, lookup.went(names, who))
+            ways = _ways_gone(names, main, who)
             went = [f"{counted} {name}" for name in ways]
             is_plain = counted == "change of" and not went and who in lookup.moving(names)
             went = went or [f"change of {axis} of {who}" for axis in joining.guided_along(names, who) if is_plain]
-            yield went or ([] if is_path else [f"{counted} {way}" for way in along_lines.unmeasured(names, who)])
+            unmeasured = [] if _is_of_no_measure(names, main, who) else along_lines.unmeasured(names, who)
+            yield went or [f"{counted} {way}" for way in unmeasured]
     elif len(asked) == 1 == len(of) and asked[0] == "work" and who in names.loads:
         yield [f"work of {who}"]
     elif asked == ["work of friction"]:

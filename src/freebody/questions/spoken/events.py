@@ -443,8 +443,12 @@ def _turns_back(names: Names, who: str, other: str) -> Groups:
 
 def _returns(names: Names, who: str, other: str) -> Groups:
     if not other:
-        yield [f"{way} = 0" for way in lookup.ways(names, who)]
-        yield [f"{place} = {to_python(start)}" for place, start in lookup.begun(names, who)]
+        rising = {name for name, _ in lookup.heights(names, who)}  # what is thrown comes back to its height alone
+        aside = (
+            {*lookup.places(names, who)} - rising if lookup.is_free(names, who) and who not in names.measures else ()
+        )
+        yield [f"{way} = 0" for way in lookup.ways(names, who) if way not in aside]
+        yield [f"{place} = {to_python(start)}" for place, start in lookup.begun(names, who) if place not in aside]
 
 
 def _reaches(names: Names, who: str, other: str) -> Groups:

@@ -381,8 +381,8 @@ def _of_what_lasts(words: Sequence[Word], text: str) -> list[Word]:
     how much friction that takes."""
     lasts = words[0] == _FRICTION and Word("mark", "while") in words
     behind = words[words.index(_FRICTION) + 1 :] if _FRICTION in words else ()
-    acts = next((word.what for word in behind if word.kind != "filler"), "") == "on"
-    limiting = set(_LIMITING) - ({_WHEN} if acts else set())
+    acts = next((word.what for word in behind if word.kind != "filler"), "") in ("on", "at", "in")  # a body, or a place
+    limiting = set(_LIMITING) - ({_WHEN, Word("mark", "until")} if acts else set())
     is_force = lasts or (_FRICTION in words and not any(word in limiting or word.kind == "not" for word in words))
     is_limit = any(word.kind == "degree" or word == _ROUGH for word in words)
     return [_FRICTION] if is_force and not is_limit and re.match("range|least|largest|value", text) else []

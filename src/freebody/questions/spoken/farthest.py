@@ -51,7 +51,9 @@ def risen_from_below(names: Names, who: str) -> list[str]:
     """How much higher than at the start something comes that starts where it hangs straight down."""
     if who not in lookup.moving(names) or not (names.hung or poses.begins_at(names, who, lowest=True)):
         return []
-    if names.hung and not names.measures:
+    strings = {row.connection for row in names.constraint_rows if row.unilateral and row.reaction == "tension"}
+    slackens = any(joining.touches(names, joint, who) for joint in strings)
+    if slackens or (names.hung and not names.measures):  # and then it is not highest where its angle turns back
         return [f"(greatest height of {who}) - (height of {who} at start)"]
     return [f"change of height of {who} until {turns}" for turns in poses.turning(names, who)]
 

@@ -45,6 +45,14 @@ _OF_BOTH = re.compile(  # but not what both have in common
     r" (?:(?:of|for) (?:the )?(?:both|two) |(?:der|von) (?:beiden|zwei) )",
     re.IGNORECASE,
 )
+_APART = re.compile(
+    r"\b(?:distance|separation|gap) between (?:them|each other)\b|"
+    r"\b(?:abstand|entfernung) (?:zwischen ihnen|voneinander|zueinander)\b",
+    re.IGNORECASE,
+)
+_SLIDES_OFF = re.compile(r"\b(?:slide|slip)s? off\b", re.IGNORECASE)
+_ALL_STOP = re.compile(r"\b(?:they|both)(?: have| all)?(?: both| all)? (?:stop|come to rest)", re.IGNORECASE)
+_WAY_OF_ONE = re.compile(r"(?:change of |greatest |least )?(?P<way>\w+)(?= |$)")
 _OF_TWO = re.compile(r"\b(?:(?:of|von|der) (?:the |den )?(?:both|two|beiden?|zwei)|beider) [^\W\d]", re.IGNORECASE)
 _SUMMED = re.compile(
     r"(?:(?:kinetic|potential|total) energy|(?:linear|angular) momentum)(?: of (?P<of>\w+))?"
@@ -80,6 +88,7 @@ _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:v
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
 _OF_GROUND = re.compile(r"(?:angle|(?:angular )?(?:velocity|acceleration)|speed) of ground(?= |$)")  # which rests
+_FORCE, _HEIGHT = Word("quantity", "force"), Word("quantity", "height")
 _TWO = 2
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
 
@@ -137,8 +146,15 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
 def _is_no_place(names: Names, words: Sequence[Word], text: str) -> bool:
     """Whether a parameter is sought that tells no place, where one is asked for: where F has to act is no force."""
     chosen = TURNED_ROUND.match(text)
-    first = next((word for word in words if word.kind != "filler"), None)
-    if chosen is None or first != Word("ask", "where") or chosen["parameter"] not in names.parameters:
+    said = [word for word in words if word.kind != "filler"]
+    if chosen is None or chosen["parameter"] not in names.parameters:
+        return False
+    acts = _FORCE in said and bool({_HEIGHT, Word("name", chosen["parameter"])} & {*said[: said.index(_FORCE)]})
+    acts = acts and said[said.index(_FORCE) + 1 :][:1] in ([Word("verb", "exert")], [Word("verb", "act")])
+    if acts and names.parameters[chosen["parameter"]].dimension == LENGTH:
+        placing = {name for load in names.loads for name in given.placing(names, load)}
+        return chosen["parameter"] not in placing  # at which height a force must act is no length of anything else
+    if said[:1] != [Word("ask", "where")]:
         return False
     parameter = names.parameters[chosen["parameter"]]
     return parameter.dimension != LENGTH and not parameter.is_angle
@@ -179,6 +195,10 @@ def loses_other(names: Names, said: str, text: str) -> bool:
         return True
     if _OF_TWO.search(said) is not None and (summed := _SUMMED.match(text)) is not None:
         return summed["of"] in names.bodies if summed["of"] else len(_resisting(names)) != _TWO
+    if _APART.search(said) is not None and (way := _WAY_OF_ONE.match(text)) is not None:
+        return way["way"] in names.measures and len({*names.measures[way["way"]].bodies()} - {GROUND}) == 1
+    if _ALL_STOP.search(said) is not None and "it stops" in text and len(lookup.moving(names)) > 1:
+        return True  # when the first one does
     own = _OF_ONE.match(text)
     return own is not None and _OF_BOTH.search(said) is not None and own["body"] in names.bodies
 
@@ -246,8 +266,10 @@ def is_one_without_other(said: str) -> bool:
 
 
 def loses_failure(said: str, text: str) -> bool:
-    """Whether it is to fail in one of two ways without the other, and that it does neither stands for it."""
-    return _RESTS.search(text) is not None and is_one_without_other(said)
+    """Whether it is to fail in one of two ways without the other, and that it does neither stands for it; or to slide
+    off what carries it, and that it slips does."""
+    falls = _SLIDES_OFF.search(said) is not None and text.startswith("whether ") and text.endswith(" slips")
+    return falls or (_RESTS.search(text) is not None and is_one_without_other(said))
 
 
 def loses_mass_center(said: str, text: str) -> bool:

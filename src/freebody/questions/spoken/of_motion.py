@@ -351,8 +351,11 @@ def _deflection(names: Names, quantity: str, rest: Clause) -> Groups:
 @said_of("displacement", "distance travelled")
 def _displacement(names: Names, quantity: str, rest: Clause) -> Groups:
     of = [name for _, name in rest.names]
-    if rest.only("name", *SILENT) and len(of) <= 1:
-        yield lookup.ways(names, next(iter(of), ""))
+    who = next(iter(of), "")
+    if quantity == "distance travelled":  # which is longer where the way turns back: until when has to be said
+        return
+    if rest.only("name", *SILENT) and len(of) <= 1 and (who in names.measures or not lookup.is_free(names, who)):
+        yield lookup.ways(names, who)
 
 
 @said_of("angle")

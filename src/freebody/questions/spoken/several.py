@@ -42,7 +42,7 @@ _BORROWED = 6  # words that a part may take from another
 _GOES_ON = re.compile(r"\s*[+*/^=)]")  # what calculates with the part before it is no question of its own
 _OF_IMPACT = tuple(Word("quantity", what) for what in ("energy lost", "kinetic energy lost", "impulse"))
 _IN_IMPACT = (Word("instant", "in the impact"), Word("instant", "at the impact"))
-_ALL = ("they", "both")  # two, where the model has no others
+_ALL = ("they", "them", "both", "two")  # two, where the model has no others
 _IT = Word("pronoun", "it")
 _PENDULUMS = ("pendulum", "pendulums", "pendula", "pendel")
 _MASSES = ("mass", "masses", "weight", "weights", "body", "bodies", "block", "blocks")

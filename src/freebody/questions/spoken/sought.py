@@ -17,13 +17,14 @@ from functools import cache
 from typing import TYPE_CHECKING
 
 from freebody.errors import UnitError
+from freebody.language.expression import free_symbols
 from freebody.language.units import FORCE, TORQUE
 from freebody.language.units.reader import parse_unit
 from freebody.questions.spoken import given, turning_round
 from freebody.questions.spoken.composing import JOINT
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.keeping import is_pressed, moves_nowhere
-from freebody.questions.spoken.lexicon import contexts, languages
+from freebody.questions.spoken.lexicon import Word, contexts, languages
 from freebody.questions.spoken.naming import elements_of, linked, plain_names
 from freebody.questions.spoken.ways import ways_to_mean
 
@@ -35,6 +36,8 @@ _NUMBER = re.compile(r"(?<![\w.])-?\d[\d.,]*(?:e[+-]?\d+)?")
 _EVENT = re.compile(r"(?P<of>.+?)(?P<when> (?:at start|when .+|at t = .+|after .+|until .+))?")
 _COUNTED = re.compile(r"(?:turns|change|distance travelled|energy lost|work|length of the path) (?:of|along) ")
 _NO_QUANTITY = re.compile(r"^(?:does|is|whether|which|degrees|damping|stability) |\b(?:for which|so that|that keeps) ")
+_EXTREME = re.compile(r" for which (?:(?! at start| when | until | after ).)+ is (?:largest|least)$")
+_INITIAL = Word("part", "initial")
 _UNIT_WORDS = 3  # of a unit that is written apart: 30 N m
 _LONGEST = 8  # words for a parameter
 _ARTICLES = ("a", "A", "I")  # which are words before they are symbols
@@ -48,6 +51,7 @@ class Told:
     language: str
     state: str
     how: str = "sought_plain"  # `sought_so` where what is to be so stands in a clause of its own
+    has_it_later: bool = False  # what the words tell is the speed of a motion, which begins with the parameter
 
     @property
     def plain(self) -> str:
@@ -60,6 +64,8 @@ def sought(names: Names, text: str, said: Callable[[str], str]) -> Iterator[str]
     for told in _told(names, text.strip(" ?.!")):
         if told.plain.lower() != text.strip(" ?.!").lower():
             turned = said(told.plain)
+            if told.has_it_later and _EXTREME.search(turned):
+                continue
             if turned and all(_asks_for(one, told.parameter) for one in turned.split(JOINT)):
                 yield turned
                 continue
@@ -78,11 +84,24 @@ def _told(names: Names, text: str) -> Iterator[Told]:
         for what, state in _parted(text, language):
             parameter = parameter_meant(names, what, language)
             if parameter is not None:
-                yield from (Told(parameter, language, one) for one in _states(names, state, language))
+                later = _has_it_later(names, parameter, what, language)
+                states = _states(names, state, language)
+                yield from (Told(parameter, language, one, has_it_later=later) for one in states)
         if (found := _pattern(language, "sought_number").match(text)) is not None:
             counts = given.teeth(names, _body(names, found["of"]))
             if len(counts) == 1:
                 yield Told(counts[0], language, found["state"], "sought_so")
+
+
+def _has_it_later(names: Names, parameter: str, what: str, language: str) -> bool:
+    """Whether words that name no parameter tell a speed, with which the motion only begins: at which angular velocity
+    the power is greatest is no question about the start."""
+    rates = [*names.start_rates.values(), *(v for body in names.bodies.values() for v in body.start.velocity or ())]
+    is_begun = any(parameter in free_symbols(rate) for rate in rates)
+    if not is_begun or re.search(rf"(?<!\w){re.escape(parameter)}(?!\w)", what):
+        return False
+    ways = ways_to_mean(names, contexts(language)["sought_what"].format(what=what))
+    return not any(_INITIAL in meaning.words for meaning in ways)
 
 
 def _parted(text: str, language: str) -> Iterator[tuple[str, str]]:

@@ -100,6 +100,8 @@ def _remaining(names: Names, main: Clause, who: str, *, negated: bool) -> Groups
         return
     sloping = lookup.inclined(names, who) if rubbing.is_rough(names) else []
     going_up = [way for way, sense in sloping if lookup.rises(names, way, sense)]  # what goes down does not turn back
+    if rubbing.is_rough(names) and (lookup.springs(names) or lookup.elastic_strings(names)):
+        going_up = lookup.places(names, who)  # a spring may push it back
     yield [f"{way} {'' if negated else 'never '}turns back" for way in going_up]
     if not going_up and not negated and _may_stick(names, who):
         yield [f"{who or 'it'} stops"]

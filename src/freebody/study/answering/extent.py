@@ -157,6 +157,11 @@ def _real_turns(turns: list[float], values: dict[float, float]) -> list[float]:
 def extent_in_numbers(draw: Draw, measure: Measure, side: int, *, turns: bool = False) -> float:
     """The farthest of the start and the first two turns. turns: it is known to turn there, so that a motion which has
     not done so yet says nothing."""
+    return farthest_in_numbers(draw, measure, side, turns=turns)[0]
+
+
+def farthest_in_numbers(draw: Draw, measure: Measure, side: int, *, turns: bool = False) -> tuple[float, float]:
+    """The same, and when it gets there."""
     start, reference = draw.start(), draw.reference
     watches = [EngineWatch("turn", measure, 1, size=least_rate(start, measure))]
 
@@ -174,11 +179,13 @@ def extent_in_numbers(draw: Draw, measure: Measure, side: int, *, turns: bool = 
     if not at:  # it only goes away from there
         seen = list(snapshots(reference, engine, course, start)) if goes_on and not turns else []
         if seen and side * (seen[-1].value(measure) - start.value(measure)) <= 0.0:
-            return start.value(measure)
+            return start.value(measure), start.t
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
     # in small steps, so that an angle of a line is counted on through more than half a turn; turns are among them
     engine, course = run(reference, start, np.linspace(start.t, at[-1], _N_STEPS), watches)
-    farthest = max(side * s.value(measure) for s in snapshots(reference, engine, course, start))
+    farthest, when = max((side * s.value(measure), s.t) for s in snapshots(reference, engine, course, start))
     if turns and len(at) < _N_TURNS and farthest <= side * start.value(measure):  # it has turned on the other side only
         raise SaysNothing(Message("the motion has not turned until t = {t:.6g} s", t=course.t_end))
-    return side * max(side * start.value(measure), farthest)
+    if side * start.value(measure) >= farthest:
+        return start.value(measure), start.t
+    return side * farthest, when

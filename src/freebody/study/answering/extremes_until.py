@@ -17,7 +17,7 @@ from freebody.study.answering.extent import LONGEST, kept_on_the_way
 from freebody.study.answering.finding import Finding, NotHere
 from freebody.study.answering.in_size import more_in_size
 from freebody.study.answering.motion_extremes import along_until
-from freebody.study.answering.motion_values import extremes_between
+from freebody.study.answering.motion_values import extremes_between, insist_held
 from freebody.study.answering.repeated import checked
 from freebody.study.answering.witness import motion_to, patience
 from freebody.study.setup import Setup
@@ -73,4 +73,5 @@ def extreme_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: Aske
 def _extremes_in_numbers(setup: Setup, draw: Draw, q: ExtremeOfMotion, event: AskedEvent) -> tuple[float, float]:
     start = draw.start()
     end = motion_to(draw.reference, start, patience(start, LONGEST), event).time
+    insist_held(setup, draw, start.t, end)
     return extremes_between(setup, draw, q.of, start.t, end)

@@ -14,6 +14,7 @@ from freebody.study.answering.draws import Draw
 from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.witness import states_at
 from freebody.study.setup import Setup
+from freebody.tolerances import ROUND_OFF
 
 _N_INSTANTS = 121  # of a cycle
 _N_CLOSER = 25  # between the neighbours of the best one
@@ -43,6 +44,19 @@ def extremes_between(setup: Setup, draw: Draw, of: Quantity, begin: float, end: 
     values = _values(setup, draw, of, times)
     low, high = (sign * _closer(setup, draw, of, times, values, sign) for sign in (1.0, -1.0))
     return low, high
+
+
+def insist_held(setup: Setup, draw: Draw, begin: float, end: float) -> None:
+    """Raises CannotAnswer where a string goes slack, or a contact opens, between two instants: what is seen there holds
+    it on."""
+    from freebody.study.answering.motion_extremes import OneSided
+
+    for row in setup.system.constraint_rows:
+        if not row.unilateral or begin == end:
+            continue
+        low, high = extremes_between(setup, draw, OneSided(row), begin, end)
+        if low < -ROUND_OFF * max(abs(low), abs(high)):
+            raise CannotAnswer(Message("{connection} does not hold all the time", connection=row.connection))
 
 
 def _closer(setup: Setup, draw: Draw, of: Quantity, times: Array, values: Array, sign: float) -> float:

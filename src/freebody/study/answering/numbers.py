@@ -199,11 +199,13 @@ def _period_number(quantity: Period, setup: Setup, event: AskedEvent | None, dra
 
 @_number.register(Extent)
 def _extent_number(quantity: Extent, setup: Setup, event: AskedEvent | None, draw: Draw) -> float | tuple[float, ...]:
-    from freebody.study.answering.extent import extent_in_numbers
+    from freebody.study.answering.extent import farthest_in_numbers
+    from freebody.study.answering.motion_values import insist_held
 
     if event is not None:
         return _extreme_number(quantity.of_motion, setup, event, draw)
-    value = extent_in_numbers(draw, quantity.measure, quantity.side)
+    value, when = farthest_in_numbers(draw, quantity.measure, quantity.side)
+    insist_held(setup, draw, draw.start().t, when)
     if len(setup.model.coordinates) > 1 or depends_on_time(setup.system):  # the first turns need not be the farthest
         _insist_no_farther(quantity, draw, value)
     return value
@@ -237,12 +239,17 @@ def _extreme_number(
     quantity: ExtremeOfMotion, setup: Setup, event: AskedEvent | None, draw: Draw
 ) -> float | tuple[float, ...]:
     from freebody.study.answering.extremes_until import extreme_in_numbers
-    from freebody.study.answering.motion_values import extremes_over_cycle
+    from freebody.study.answering.motion_values import extremes_between, insist_held
+    from freebody.study.answering.repeated import cycle_at_all
 
     if event is not None:
         return extreme_in_numbers(setup, draw, quantity, event)
     measure = next(iter(setup.system.measures.values()), None)
-    low, high = extremes_over_cycle(setup, draw, measure, quantity.of, is_exact=True)
+    if measure is None:
+        raise CannotAnswer(Message("name a measure that moves to and fro, or round and round"))
+    begin, end = cycle_at_all(draw, measure, is_exact=True)
+    insist_held(setup, draw, begin, end)
+    low, high = extremes_between(setup, draw, quantity.of, begin, end)
     return low if quantity.side < 0 else high
 
 
