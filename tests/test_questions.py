@@ -13,7 +13,8 @@ import pytest
 
 import freebody as fb
 import freebody.questions
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import Quantity
+from freebody.questions.forms import FORMS
 from freebody.testing.questions import QUESTION_CHECKS, check_question
 from test_docs import CONTRIBUTING, blocks
 

@@ -13,7 +13,8 @@ from freebody.connections.base import Connection
 from freebody.loads.base import Load
 from freebody.model.phrases import PHRASES
 from freebody.model.shapes.base import Shape
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import Quantity
+from freebody.questions.forms import FORMS
 from freebody.studies import STUDIES
 
 ROOT = Path(__file__).parents[1]

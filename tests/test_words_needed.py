@@ -9,7 +9,8 @@ import sys
 import pytest
 from tests.example_files import FOLDER
 
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import Quantity
+from freebody.questions.forms import FORMS
 from freebody.questions.needed import needed
 
 

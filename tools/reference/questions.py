@@ -9,7 +9,8 @@ from types import ModuleType
 
 import freebody as fb
 import freebody.questions.reading  # every file of questions is imported for it
-from freebody.questions.base import FORMS, Form, Quantity
+from freebody.questions.base import Quantity
+from freebody.questions.forms import FORMS, Form
 from reference.page import NothingSaid, Page, block, code, first_paragraph, joined, prose, words_of
 
 _HEAD = """Each section has the words of the grammar for a family of questions: capitals stand for names and

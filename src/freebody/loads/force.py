@@ -6,8 +6,6 @@ import re
 from collections.abc import Iterable, Mapping
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from freebody.connections.string.laying import sense_of_drum
-from freebody.connections.string.way import is_wound, unwinds_from
 from freebody.language.expression import multiply, number
 from freebody.language.sentences import Message
 from freebody.language.units import FORCE, LENGTH
@@ -29,6 +27,7 @@ if TYPE_CHECKING:
 
 
 WAYS = ("right", "left", "up", "down")
+_WOUND = "wound on "  # a place of a cord, which does not turn with the drum
 _WAY = "|".join(sorted((*WAYS, *ALSO_WAYS), key=len, reverse=True))
 _IN_WORDS = re.compile(
     rf"(?P<magnitude>\S.*?)\s+(?:(?P<way>{_WAY})\s+(?:at|on|bei|an)\s+(?P<at>[\w.]+)"
@@ -59,6 +58,9 @@ def pushed_along(names: Names, point: Point, heading: Heading) -> Measure | Nonh
 def unwound_along(names: Names, text: str, heading: Heading) -> Measure | None:
     """How far the outer end of a cord goes that is wound on a drum and pulled in a direction that stays: the way of the
     middle of the drum along it, and what comes off, s R per turn [rad], as the drum turns the way it is pulled."""
+    from freebody.connections.string.laying import sense_of_drum  # what strings have is loaded where one is meant
+    from freebody.connections.string.way import unwinds_from
+
     drum, along = unwinds_from(names, text, "at"), names.direction(heading, "along")
     if drum is None:
         return None
@@ -131,7 +133,7 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
         return {"at": said["at"] or said["at_first"], "along": along, "magnitude": said["magnitude"]}
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
-        if is_wound(self.at):
+        if self.at.startswith(_WOUND):
             pushed = unwound_along(names, self.at, self.along)
         elif self._is_circle(names):
             return []
@@ -157,7 +159,10 @@ loads: {it: {force: {at: ball, along: right, magnitude: 2 N}}}
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         along = names.direction(self.along, "along")
-        if not is_wound(self.at):
+        if not self.at.startswith(_WOUND):
             yield glyphs.ForceArrow(names.point(self.at), along)
-        elif (drum := unwinds_from(names, self.at, "at")) is not None:
+            return
+        from freebody.connections.string.way import unwinds_from
+
+        if (drum := unwinds_from(names, self.at, "at")) is not None:
             yield glyphs.ForceArrow(drum.point, along)

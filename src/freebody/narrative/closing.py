@@ -51,9 +51,6 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
     is_told |= question.quantity.is_verdict and scope == "course"  # the verdict says it
     # the start need not be in steady motion
     is_told |= is_steady_place(question.quantity) or (scope == "steady motion" and question.at_start)
-    if scope == "sections" and answer.cases:
-        _parts(context, script, question, answer)
-        is_told = True
     if answer.expression is not None and not is_told:
         if scope == "small motion":  # of which other parameters may have another case: in phase, in opposite phase
             script.glossary = script.glossary.where(lambda world: answer_holds(world, answer))
@@ -69,7 +66,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
         script.say("result.verdict", text=ready(answer.verdict))
     if answer.chain is not None:
         _chain(script, answer.chain)
-    if answer.conditions and scope != "every motion" and not (scope == "sections" and answer.cases):
+    if answer.conditions and scope != "every motion":  # that is what was derived
         key = question.quantity.verdict if question.quantity.is_verdict else "result.holds"
         script.say(key, conditions=tuple(with_unit(context, c) for c in answer.conditions))
         _other_cases(context, script, answer)
@@ -117,17 +114,6 @@ def _is_whole(answer: Answer) -> bool:
     if answer.expression is None:
         return answer.unit in ("", "1") and isinstance(answer.value, (int, float)) and float(answer.value).is_integer()
     return isinstance(answer.expression, Number) and answer.expression.value.denominator == 1
-
-
-def _parts(context: Context, script: Script, question: Question, answer: Answer) -> None:
-    """What a rod transmits in each of its parts."""
-    letter = asked_symbol(context, question, 1)
-    items: list[Sentence] = []
-    for case in answer.cases:
-        assert not isinstance(case.expression, tuple)
-        formula = ready(compared(letter, "=", case.expression))
-        items.append(Sentence("result.case", {"formula": formula, "conditions": tuple(map(ready, case.conditions))}))
-    script.add(Listing(tuple(items)))
 
 
 def _chain(script: Script, chain: Chain) -> None:

@@ -15,7 +15,8 @@ from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import FORCE, TORQUE, Dimension
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.section import PARTS, Part, rod_named, rods_of
 
 if TYPE_CHECKING:

@@ -17,7 +17,8 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ACCELERATION, LENGTH
 from freebody.measures.geometry import Point
 from freebody.model.state import State
-from freebody.questions.base import POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import POINT, Found, asked
 from freebody.questions.vectors import Vector, place
 
 if TYPE_CHECKING:

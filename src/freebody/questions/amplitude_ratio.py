@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.small_motion import ORDINALS, ModeShapes
 
 if TYPE_CHECKING:

@@ -12,7 +12,8 @@ from typing import TYPE_CHECKING, Literal
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_quantity
 from freebody.questions.linkages import FOUR_BAR, RANK, OfLinkage
 

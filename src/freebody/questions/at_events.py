@@ -15,10 +15,11 @@ from typing import TYPE_CHECKING
 from freebody.language.sentences import Message
 from freebody.language.units import Dimension
 from freebody.questions.arithmetic import read_calculated
-from freebody.questions.base import NAME, Quantity
+from freebody.questions.base import Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import AskedEvent
 from freebody.questions.final_values import share_said
+from freebody.questions.forms import NAME
 from freebody.questions.operands import TIME_ALONE, Operand, Operands, between_bars, without_bars
 from freebody.questions.reading_when import Meant
 from freebody.questions.sudden import IMPACT, NTH

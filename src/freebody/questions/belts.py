@@ -10,8 +10,9 @@ from freebody.language.sentences import Message, Sentence, listed
 from freebody.language.units import DIMENSIONLESS, LENGTH, MASS, Dimension
 from freebody.model.transmitted import Transmitted
 from freebody.questions.arithmetic import Functions, Joined, OfParameters
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.extent import extreme
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.motion import OfMeasure
 from freebody.questions.reactions import has_connection
 from freebody.questions.reactions_by_component import ReactionComponent

@@ -11,9 +11,10 @@ from freebody.language.units import ANGULAR_MOMENTUM, ENERGY, IMPULSE, Dimension
 from freebody.measures.combination import Composed, is_of_turning
 from freebody.model.elements import ConstraintRow
 from freebody.model.state import State
-from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.course import connections_of, read_transition
 from freebody.questions.energy import Energy
+from freebody.questions.forms import NAME, POINT, Found, asked
 from freebody.questions.reactions import Wrench, read_moment, read_wrench
 from freebody.questions.vectors import IN_BASIS
 
@@ -72,6 +73,7 @@ class EnergyLostInBlow(Quantity, kind="energy lost in the blow"):
     of: tuple[str, ...] = ()
     called: str = ""
 
+    is_energy_lost_at_once = True
     example = """
 bodies:
   bullet: {particle: {mass: 1 kg}, velocity: [4 m/s, 0]}

@@ -11,7 +11,8 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import LENGTH
 from freebody.measures.geometry import GROUND
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.vectors import place, said_relative, turning_rate
 
 if TYPE_CHECKING:

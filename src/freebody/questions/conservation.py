@@ -8,8 +8,9 @@ from typing import TYPE_CHECKING
 from freebody.language.expression import Symbol
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS, ENERGY, TIME, Dimension
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.course import connections_of
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_quantity
 from freebody.questions.sudden import BLOW
 

@@ -21,9 +21,10 @@ from freebody.model.elements import RigidBody
 from freebody.model.noting import did_you_mean
 from freebody.model.phrases import read_measure
 from freebody.model.solids import ROPE
-from freebody.questions.base import POINT, Described, Found, Passage, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Passage, Path, Quantity, angular_unit
 from freebody.questions.energy import goes_by_rates
 from freebody.questions.event import leads_to
+from freebody.questions.forms import POINT, Found, asked
 from freebody.questions.sudden import IMPACT, NTH, ORDINALS, side_of_blow, which_blow
 
 if TYPE_CHECKING:

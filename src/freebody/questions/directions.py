@@ -16,7 +16,8 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.geometry import Direction
 from freebody.model.state import State, no_direction
 from freebody.questions.arithmetic import Functions, Joined
-from freebody.questions.base import Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import Found, asked
 from freebody.questions.grammar import read_quantity
 from freebody.questions.vectors import axes_of, components_of, dot
 

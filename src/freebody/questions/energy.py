@@ -13,7 +13,8 @@ from freebody.model.elements import RATE, VALUE, AppliedLoad, RigidBody
 from freebody.model.spins import body_axes
 from freebody.model.state import State
 from freebody.model.tensors import entries
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.vectors import Vector, angular_velocity, dot, place, said_of, turning_rate
 
 if TYPE_CHECKING:

@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any, Literal, cast
 
 from freebody.language.units import ENERGY
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.energy import kinetic_energy, translational_energy
+from freebody.questions.forms import NAME, Found, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

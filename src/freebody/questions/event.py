@@ -27,13 +27,14 @@ from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND, RIGHT
 from freebody.model.phrases import PHRASES, composed, measure_of
-from freebody.questions.base import NAME, POINT, Path, Quantity
+from freebody.questions.base import Path, Quantity
 from freebody.questions.clock import ENDLESS, TIME_SINCE, Clock, time_asked
 from freebody.questions.compared import compared
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event_base import QuestionEvent
 from freebody.questions.event_quantities import quantity_of_instant, sides_of_equation
 from freebody.questions.final_values import read_share
+from freebody.questions.forms import NAME, POINT
 from freebody.questions.operands import TURNS_BACK
 
 if TYPE_CHECKING:

@@ -9,7 +9,8 @@ from typing import TYPE_CHECKING
 
 from freebody.model.phrases import PHRASES
 from freebody.questions.arithmetic import read_calculated
-from freebody.questions.base import FORMS, Path, Quantity
+from freebody.questions.base import Path, Quantity
+from freebody.questions.forms import FORMS
 from freebody.questions.motion import OfMeasure
 from freebody.questions.operands import Operands, between_bars, has_quantities, operands_of, without_size
 

@@ -12,10 +12,11 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.model.phrases import PHRASES, composed, measure_of
 from freebody.questions.arithmetic import AtStart, Functions, Joined
-from freebody.questions.base import Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Path, Quantity, angular_unit
 from freebody.questions.ends import GREATEST, LEAST
 from freebody.questions.event import Peak
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.forms import Found, asked
 from freebody.questions.grammar import read_calculation
 from freebody.questions.motion import OfMeasure
 

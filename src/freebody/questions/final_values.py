@@ -16,8 +16,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
 from freebody.measures.base import Measure
 from freebody.model.phrases import measure_of
-from freebody.questions.base import NAME, Path
+from freebody.questions.base import Path
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.forms import NAME
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -11,7 +11,8 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, Dimension
-from freebody.questions.base import Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Path, Quantity, angular_unit
+from freebody.questions.forms import Found, asked
 from freebody.questions.grammar import read_calculation
 from freebody.questions.small_motion import OfSmallMotion
 

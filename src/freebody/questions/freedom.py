@@ -6,7 +6,8 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Sentence
-from freebody.questions.base import Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import Found, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, ClassVar
 
 from freebody.language.sentences import Message, listed
 from freebody.model.elements import ConstraintRow
-from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, PLACE, Found, asked
 from freebody.questions.reactions import Wrench, read_wrench
 from freebody.questions.reactions_by_component import place_named
 from freebody.questions.vectors import IN_BASIS

@@ -11,8 +11,9 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import TIME, Dimension
-from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
+from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.course import Counted
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_quantity
 
 if TYPE_CHECKING:

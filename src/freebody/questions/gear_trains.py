@@ -23,7 +23,8 @@ from freebody.model.gear_train import gear_trains
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
 from freebody.questions.arithmetic import quotient
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 
 if TYPE_CHECKING:
     from collections.abc import Sequence

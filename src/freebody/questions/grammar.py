@@ -20,11 +20,12 @@ from freebody.model.phrases import PHRASES, read_measure
 from freebody.questions import turned_round
 from freebody.questions.arithmetic import AtStart, is_vector, read_calculated
 from freebody.questions.at_events import between_events, is_at_several, read_at_events
-from freebody.questions.base import FORMS, Path, Quantity
+from freebody.questions.base import Path, Quantity
 from freebody.questions.blow import BesideBlow, lost_where_it_strikes
 from freebody.questions.clock import time_asked
 from freebody.questions.course import Counted, When
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.forms import FORMS
 from freebody.questions.half_swings import swings_as_rests
 from freebody.questions.motion import OfMeasure
 from freebody.questions.nth_impact import read_nth

@@ -25,7 +25,8 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.model.elements import RigidBody
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.section import (
     PARTS,
     Field,

@@ -15,8 +15,9 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import DIMENSIONLESS
-from freebody.questions.base import Described, Found, Passage, Path, Quantity, asked
+from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.course import Counted
+from freebody.questions.forms import Found, asked
 from freebody.questions.sudden import ORDINALS
 
 if TYPE_CHECKING:

@@ -16,10 +16,11 @@ from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.measures.base import Measure
 from freebody.measures.distance import Distance
-from freebody.questions.base import NAME, Path, Quantity
+from freebody.questions.base import Path, Quantity
 from freebody.questions.course import Transition, can_change, connections_of, names_line, read_transition
 from freebody.questions.event import AskedEvent, TurnsBack, read_event
 from freebody.questions.event_base import QuestionEvent
+from freebody.questions.forms import NAME
 from freebody.questions.operands import TURNS_BACK
 from freebody.questions.turned_round import reached_in
 

@@ -14,7 +14,8 @@ from freebody.language.units import DIMENSIONLESS, LENGTH, Dimension
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

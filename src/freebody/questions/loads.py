@@ -23,8 +23,9 @@ from freebody.measures.base import Measure
 from freebody.model.elements import VALUE, AppliedLoad, NonholonomicForm
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Passage, Path, Quantity, asked
+from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.course import Counted
+from freebody.questions.forms import NAME, Found, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -11,7 +11,8 @@ from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import LENGTH, TIME, Dimension
 from freebody.measures.geometry import GROUND, Direction
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.vectors import (
     Group,
     Vector,

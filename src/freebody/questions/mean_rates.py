@@ -12,8 +12,9 @@ from typing import TYPE_CHECKING, Any
 
 from freebody.language.sentences import Message, Sentence
 from freebody.language.units import TIME, Dimension
-from freebody.questions.base import POINT, Described, Found, Passage, Path, Quantity, asked
+from freebody.questions.base import Described, Passage, Path, Quantity
 from freebody.questions.course import Counted
+from freebody.questions.forms import POINT, Found, asked
 from freebody.questions.motion import OfPoint
 
 if TYPE_CHECKING:

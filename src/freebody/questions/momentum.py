@@ -11,8 +11,9 @@ from freebody.measures.geometry import Direction, Point
 from freebody.model.elements import RigidBody
 from freebody.model.spins import body_axes
 from freebody.model.state import State
-from freebody.questions.base import POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.energy import times_tensor
+from freebody.questions.forms import POINT, Found, asked
 from freebody.questions.mass_center import of_mass_center
 from freebody.questions.vectors import (
     GROUP,

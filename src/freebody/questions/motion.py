@@ -19,7 +19,8 @@ from freebody.model.phrases import read_measure
 from freebody.model.spins import spin
 from freebody.model.state import State
 from freebody.model.states import shown_rate, state_name
-from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Path, Quantity, angular_unit
+from freebody.questions.forms import NAME, POINT, Found, asked
 from freebody.questions.vectors import (
     AXES,
     IN_BASIS,

@@ -19,7 +19,8 @@ from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import Point
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.small_motion import ORDINALS, OfSmallMotion
 from freebody.questions.vectors import ORIGIN, axes_of
 

@@ -38,7 +38,8 @@ from freebody.language.units import DIMENSIONLESS, Dimension
 from freebody.model.friction import read_restitution
 from freebody.questions.arithmetic import Functions, Joined, OfParameters, refuse_vectors
 from freebody.questions.at_events import AtEvent
-from freebody.questions.base import NAME, Quantity
+from freebody.questions.base import Quantity
+from freebody.questions.forms import NAME
 from freebody.questions.reading_when import Meant
 from freebody.questions.sudden import IMPACT, ORDINALS
 

@@ -13,8 +13,9 @@ from freebody.language.sentences import Message
 from freebody.language.units import parse_quantity
 from freebody.language.units.quantity import Quantity as Number
 from freebody.model.phrases import PHRASES
-from freebody.questions.base import FORMS, Quantity
+from freebody.questions.base import Quantity
 from freebody.questions.ends import GREATEST, LEAST
+from freebody.questions.forms import FORMS
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -10,7 +10,8 @@ from freebody.language.sentences import Sentence
 from freebody.language.units import TIME
 from freebody.measures.base import Measure
 from freebody.model.phrases import measure_of
-from freebody.questions.base import Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import Found, asked
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.motion import OfMeasure
 
 if TYPE_CHECKING:

@@ -21,7 +21,8 @@ from freebody.questions.arithmetic import (
     quotient,
     read_calculated,
 )
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_calculation, read_quantity
 from freebody.questions.loads import LoadForce, Power
 from freebody.questions.operands import number_with_unit

@@ -13,7 +13,8 @@ from freebody.measures.geometry import GROUND, RIGHT, UP, Direction, Point
 from freebody.model.elements import ConstraintRow
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import NAME, POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, POINT, Found, asked
 from freebody.questions.loads import load_force
 from freebody.questions.vectors import (
     IN_BASIS,

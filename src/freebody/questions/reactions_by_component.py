@@ -18,7 +18,8 @@ from freebody.measures.geometry import ZERO
 from freebody.model.elements import ConstraintRow, NonholonomicForm, StringStretch
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import FORMS, NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import FORMS, NAME, PLACE, Found, asked
 from freebody.questions.reactions import has_connection, is_told, said_of_reaction, whole_only
 
 if TYPE_CHECKING:

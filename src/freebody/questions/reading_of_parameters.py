@@ -16,9 +16,9 @@ from freebody.measures.geometry import GROUND
 from freebody.model.elements import Parameter
 from freebody.model.names import Names
 from freebody.questions.arithmetic import is_vector
-from freebody.questions.base import NAME
 from freebody.questions.compared import compared
 from freebody.questions.event import read_event
+from freebody.questions.forms import NAME
 from freebody.questions.happening import ExistingSteadyMotion, Happening, StableSteadyMotion, read_happening
 from freebody.questions.linkages import ASSEMBLES, TURNS_FULLY, Assembly, OfLinkage, full_turn
 from freebody.questions.motion import OfMeasure, Staying

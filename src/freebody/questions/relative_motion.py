@@ -13,7 +13,8 @@ from freebody.language.sentences import Argument, Message, Sentence
 from freebody.language.units import LENGTH, TIME, Dimension
 from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.state import State
-from freebody.questions.base import POINT, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import POINT, Found, asked
 from freebody.questions.vectors import IN_BASIS, ORIGIN, Basis, component, has_name, place, read_basis, said_along
 
 if TYPE_CHECKING:

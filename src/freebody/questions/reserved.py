@@ -6,7 +6,7 @@ import re
 from functools import cache
 
 from freebody.model.phrases import PHRASES
-from freebody.questions.base import FORMS
+from freebody.questions.forms import FORMS
 
 _EVENTS = "rate when until begins slips opens slides rolls leaves goes slack contact sliding rolling energy tip slide"
 _COMPASS = "right left up down x y z origin center start end t pi"

@@ -17,7 +17,8 @@ from freebody.language.units import FORCE, LENGTH, TORQUE, Dimension
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.elements import ConstraintRow, Parameter
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Path, Quantity, angular_unit
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.reactions import has_connection
 
 if TYPE_CHECKING:

@@ -10,7 +10,8 @@ from freebody.language.sentences import Message, Sentence, listed
 from freebody.language.units import FORCE
 from freebody.model.state import State
 from freebody.model.transmitted import CutTension
-from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, PLACE, Found, asked
 from freebody.questions.reactions import has_connection
 from freebody.questions.reactions_by_component import read_component
 

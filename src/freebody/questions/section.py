@@ -40,7 +40,8 @@ from freebody.model.elements import RigidBody, Spread
 from freebody.model.solids import ROD
 from freebody.model.state import State
 from freebody.questions.along_a_rod import Pull, between, couple_not_placed, is_zero, on_axis, pulls_on, sign_of_length
-from freebody.questions.base import NAME, PLACE, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, PLACE, Found, asked
 from freebody.questions.vectors import Vector, added, axes_of, components_of, cross, dot, place
 from freebody.tolerances import ROUNDED
 

@@ -17,7 +17,8 @@ from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimen
 from freebody.measures.base import Measure
 from freebody.model.elements import RATE
 from freebody.model.phrases import measure_of
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Path, Quantity, angular_unit
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_quantity
 from freebody.questions.turned_round import ValueFor
 

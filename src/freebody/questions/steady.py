@@ -16,7 +16,8 @@ from freebody.language.sentences import Message, Sentence
 from freebody.language.units import ANGULAR_VELOCITY, DIMENSIONLESS, TIME, Dimension
 from freebody.measures.angle import Angle
 from freebody.model.noting import did_you_mean
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, angular_unit, asked
+from freebody.questions.base import Described, Path, Quantity, angular_unit
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.grammar import read_quantity
 
 if TYPE_CHECKING:

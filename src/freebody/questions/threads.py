@@ -15,7 +15,8 @@ from freebody.language.expression import ONE, Expr, divide
 from freebody.language.sentences import Message, Sentence
 from freebody.model.noting import did_you_mean
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.turned_round import has_thread
 from freebody.questions.whether import read_whether
 

@@ -9,7 +9,8 @@ from freebody.language.expression import ONE, Expr
 from freebody.language.sentences import Message, Sentence, listed
 from freebody.language.units import FORCE
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Found, Path, Quantity, asked
+from freebody.questions.base import Described, Path, Quantity
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.reactions import has_connection
 from freebody.questions.reactions_by_component import TOOTH_FORCE
 

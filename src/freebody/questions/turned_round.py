@@ -13,7 +13,8 @@ from typing import TYPE_CHECKING, Literal
 from freebody.language.expression import ZERO, Expr, Symbol
 from freebody.language.sentences import Argument, Sentence
 from freebody.language.units import Dimension
-from freebody.questions.base import NAME, Described, Quantity, Wanted
+from freebody.questions.base import Described, Quantity, Wanted
+from freebody.questions.forms import NAME
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

@@ -16,7 +16,8 @@ from freebody.model.noting import did_you_mean
 from freebody.model.rotations import UNIT
 from freebody.model.spins import spin
 from freebody.model.state import State
-from freebody.questions.base import NAME, Described, Path
+from freebody.questions.base import Described, Path
+from freebody.questions.forms import NAME
 
 if TYPE_CHECKING:
     from freebody.model.names import Names

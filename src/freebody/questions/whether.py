@@ -11,9 +11,10 @@ from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
 from freebody.language.units import DIMENSIONLESS
-from freebody.questions.base import NAME, Found, Path, Quantity, asked
+from freebody.questions.base import Path, Quantity
 from freebody.questions.course import Transition
 from freebody.questions.event import read_event
+from freebody.questions.forms import NAME, Found, asked
 from freebody.questions.happening import Happening, Lasting, read_happening, third_person
 from freebody.questions.turned_round import reached_in
 

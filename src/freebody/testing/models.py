@@ -28,7 +28,7 @@ from freebody.loads.base import Load
 from freebody.model.phrases import PHRASES
 from freebody.model.shapes.base import Shape
 from freebody.model.spec import Spec
-from freebody.questions.base import FORMS
+from freebody.questions.forms import FORMS
 from freebody.testing.patterns import PatternSlot, fields_of, filled, options_of, phrase, shape_fields
 
 _SIZES = ("1", "2", "0.5", "0.2", "3", "0.125", "10", "1/3")

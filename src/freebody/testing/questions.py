@@ -23,7 +23,8 @@ from freebody.narrative.explain import Explanation
 from freebody.narrative.sheets.asking import asking, headline
 from freebody.narrative.telling.catalogue import Catalogue
 from freebody.narrative.words import languages
-from freebody.questions.base import FORMS, Form, Found, Path, Quantity
+from freebody.questions.base import Path, Quantity
+from freebody.questions.forms import FORMS, Form, Found
 from freebody.questions.reading import Question
 from freebody.questions.reading_when import is_of_start
 from freebody.study.answering.answer import Answer

@@ -161,12 +161,6 @@ def unwinds_from(names: Names, text: str, field: str) -> StringNode | None:
     return _read_node(names, text, (field,), is_end=True, swings=True)
 
 
-def is_wound(text: str) -> bool:
-    """Whether a place is a drum on which something is wound, by its words."""
-    found = _NODE.fullmatch(" ".join(text.split()))
-    return found is not None and found["wound"] is not None
-
-
 def _read_node(
     names: Names, text: str, field: tuple[str | int, ...], *, is_end: bool, swings: bool
 ) -> StringNode | None:

@@ -23,7 +23,6 @@ from freebody.narrative.context import Context, Method, refuse
 from freebody.narrative.lines.naming import own_symbols, written
 from freebody.narrative.lines.script import DerivationStage, FormulaTable, Script, ready
 from freebody.narrative.questions.blow import MOST_OPERATIONS
-from freebody.questions.blow import EnergyLostInBlow
 from freebody.questions.energy import Energy
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
@@ -147,7 +146,7 @@ def _value_behind(
         assert answer.expression is not None
         uses = (*told, *(line for _v, line in values.values()))
         key, middle = "impact.with", tuple[Expr, ...]()
-        if isinstance(q, EnergyLostInBlow):
+        if q.is_energy_lost_at_once:
             key, middle = "impact.lost", (_energies_beside(way, leg),)
         is_short = [side != answer.expression and n_operations(side) <= MOST_OPERATIONS for side in middle]
         sides = (left, *compress(middle, is_short), answer.expression)

@@ -18,9 +18,9 @@ from freebody.language.sentences import Argument, Message
 from freebody.narrative.contact.settings import has_phases
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
-from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script, Side
+from freebody.narrative.lines.script import DerivationStage, NumberedFormula, Script
 from freebody.narrative.sharing import lines_of, result_line
-from freebody.present.report.blocks import Derivative, Difference
+from freebody.present.report.blocks import Derivative, Difference, Side
 from freebody.questions.event import AnyInstant, Anywhere
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer

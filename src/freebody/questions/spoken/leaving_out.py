@@ -7,7 +7,7 @@ from collections.abc import Callable, Sequence
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
-from freebody.questions.base import NAME
+from freebody.questions.forms import NAME
 from freebody.questions.happening import NOTHING_SLIDES
 from freebody.questions.rest import loads_by
 from freebody.questions.spoken import rubbing
