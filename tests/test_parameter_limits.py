@@ -164,4 +164,4 @@ def test_it_is_derived_in_both_languages() -> None:
     (derivation,) = fb.explain(system, "acceleration of x as M -> 0").derivations
     assert not derivation.reason
     words = fb.explain(system, "acceleration of x as m2 grows", language="de").to_text()
-    assert "für m2 → ∞ wird daraus" in words.lower()
+    assert "für m₂ → ∞ wird daraus" in words.lower()
