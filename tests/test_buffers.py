@@ -110,7 +110,7 @@ loads: {buffer: {spring: {first: ground.O, second: cart, stiffness: 5 N/m, only:
 def test_derivation_of_the_deepest_point_tells_when_the_buffer_is_touched() -> None:
     told = " ".join(str(cart().explain("greatest x")).split())
     assert "buffer is touched when its ends are as far apart as it is long without load" in told
-    assert "Buffer is compressed: it can only push" in told
+    assert "buffer is compressed: it can only push" in told
     assert "defect" not in told
 
 
