@@ -976,7 +976,7 @@ questions: [least F so that nothing moves]
     (answer,) = system.solve().answers
     assert "it stays at rest at this value alone" in answer.notes
     told = system.explain().to_text()
-    assert "Equilibrium alone decides F." in told
+    assert "Equilibrium alone determines F." in told
     assert "F ≥" not in told
 
 

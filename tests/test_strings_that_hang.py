@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from pathlib import Path
+
 import pytest
 from tests.conftest import Agree
 
@@ -132,3 +134,11 @@ connections: {axle: {pin: [ground, pulley]}, cord: {string: {from: left, over: [
 """
     with pytest.raises(fb.InputError, match="a length is that of a string between two points"):
         fb.System.from_text(text)
+
+
+def test_what_is_lost_as_a_string_comes_taut_again_is_derived_when_it_is_asked_alone() -> None:
+    """Nothing is struck at the start, so that the impact is one on the way."""
+    system = fb.System.load(Path(__file__).parent.parent / "examples" / "string_comes_taut_again.yaml")
+    told = fb.explain(system, "energy lost when string becomes taut")
+    assert told.is_complete
+    assert "nothing is struck here" not in told.to_text()

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.questions.reading_when import is_of_start
 from freebody.study.setup import Setup
 from freebody.system.system import System
 
@@ -44,7 +45,8 @@ def changes_at_borders_alone(system: System) -> bool:
 
 
 def has_phases(system: System) -> bool:
-    """Whether the law of motion may change on the way."""
+    """Whether the law of motion may change on the way, or something is asked of such a change: of an impact, where
+    nothing is struck at the start."""
     return bool(system.bounds or system.dry_friction or system.blows or system.borders) or any(
-        q.transition is not None for q in system.questions
+        q.transition is not None or (is_of_start(q.quantity) and not system.is_struck) for q in system.questions
     )

@@ -144,6 +144,8 @@ class Ends:
     def _search(self, at: Iterable[Draw], sign: int, cases: list[FailureCase], compared: list[Compared]) -> None:
         """Adds what is found at these draws."""
         for draw in at:
+            if not self._are_true(self._taken, draw):
+                continue  # other formulas hold there
             near = next((x for c in cases if self.holds(c, draw) and (x := self.number(c.element, draw))), None)
             try:
                 edge = self.edge(draw, sign, near)
@@ -190,12 +192,13 @@ class Ends:
                 if not all(self.model.samples.vanishes(r) for r in at_end.residuals):
                     continue
                 conditions, is_complete = self._conditions(here, at_end, at, sign)
-                return FailureCase(here.failure, here.words, element, (*self._taken, *conditions), is_complete)
+                taken = (c for c in self._taken if not any(_says_same(c, other) for other in conditions))
+                return FailureCase(here.failure, here.words, element, (*taken, *conditions), is_complete)
         except (CannotAnswer, ZeroDivisionError):
             return None
         return None
 
-    @property
+    @cached_property
     def _taken(self) -> list[Condition]:
         """What formulas take to be positive, as the side on which a spring leads to its other end."""
         return self.setup.holding(self.setup.start_instant, with_contacts=False)
@@ -238,7 +241,10 @@ class Ends:
 
     def holds(self, case: FailureCase, draw: Draw) -> bool:
         """Whether a case is the one at a draw, as far as its conditions are known."""
-        for c in case.conditions:
+        return self._are_true(case.conditions, draw)
+
+    def _are_true(self, conditions: Iterable[Condition], draw: Draw) -> bool:
+        for c in conditions:
             value = self.number(c.element, draw)
             if value is None or not (value >= 0.0 if c.relation == ">=" else value > 0.0):
                 return False
@@ -440,3 +446,9 @@ def one_of_both(one: FailureCase, other: FailureCase) -> FailureCase | None:
 
 def _agree(a: float, b: float) -> bool:
     return abs(a - b) <= 1e-6 * max(abs(a), abs(b), 1e-9)
+
+
+def _says_same(one: Condition, other: Condition) -> bool:
+    """Whether two conditions differ by a positive number at most."""
+    factor = None if other.element.is_zero() else (one.element / other.element).fraction()
+    return factor is not None and factor > 0 and one.relation == other.relation
