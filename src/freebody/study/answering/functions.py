@@ -30,7 +30,7 @@ from freebody.study.setup import Setup
 from freebody.system.system import System
 
 _TIMES = (Fraction(1, 4), Fraction(1, 16), Fraction(1), Fraction(4), Fraction(16))  # [s] at which a place is looked for
-_SOON = Fraction(1, 16)  # [s] an instant of the first phase, unless that is a short one
+_SOON = Fraction(1, 1024)  # [s] an instant of the first phase, unless that is a short one
 _MOVED = 1e-9  # [SI] since the start
 
 Solver = Callable[[System], Solution]
