@@ -1309,17 +1309,18 @@ class String(_String):
 
     The string does not slip on the pulleys that it `grips` (default: all bodies that can turn); over the others it
     slides without friction. Each stretch between grips keeps its length and has one tension, positive when it pulls.
-    Between two points its length may be given, and what it carries swings: `{from: ground.O, to: ball, length: L}`. A
-    body that nothing else holds hangs on the string and moves up and down, below the point where its lead leaves the
-    pulley, if it has no position or is put there; a lead to a body on a straight guide runs along the guide if the
-    body has no position, or one from which it does so whatever the parameters are; `leads` states the directions
-    instead; otherwise leads are the common tangents of the circles, wherever these move (`swings: true` also for
-    hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps the direction of that. In
-    space it runs from point to point, through rings and over small pulleys, or over wheels in any plane: each turns
-    about the axis of its revolute joint, which has to keep its direction, and what is at an end is guided in the
-    plane of the wheel beside it or hangs. Between wheels whose axes are not parallel it runs along the line in which
-    their planes meet, and from the ground to wheels on a jib that turns along the axis of that turn; a drum is wound
-    `clockwise` or `counterclockwise` as seen against its axis, and `left` is where x is negative.
+    Between two points its length may be given; it is taut at the start, and what it carries swings: `{from: ground.O,
+    to: ball, length: L}`. A body that nothing else holds hangs on the string and moves up and down, below the point
+    where its lead leaves the pulley, if it has no position or is put there; a lead to a body on a straight guide runs
+    along the guide if the body has no position, or one from which it does so whatever the parameters are; `leads`
+    states the directions instead; otherwise leads are the common tangents of the circles, wherever these move
+    (`swings: true` also for hanging bodies); along a guide on a body that turns, as of a trolley on a jib, it keeps
+    the direction of that. In space it runs from point to point, through rings and over small pulleys, or over wheels
+    in any plane: each turns about the axis of its revolute joint, which has to keep its direction, and what is at an
+    end is guided in the plane of the wheel beside it or hangs. Between wheels whose axes are not parallel it runs
+    along the line in which their planes meet, and from the ground to wheels on a jib that turns along the axis of
+    that turn; a drum is wound `clockwise` or `counterclockwise` as seen against its axis, and `left` is where x is
+    negative.
     `friction`: that of the drums and pulleys over which it slides, one coefficient or {drum: mu}. The tensions on both
     sides of a drum differ by up to e^(mu beta), beta the angle of wrap between leads with constant directions, or
     `wrap: {drum: 3*pi}`; ask for the tension at an end, or between two places.
