@@ -665,3 +665,12 @@ loads: {pull: {force: {at: wound on drum at right, along: right, magnitude: 5 N}
 """
     with pytest.raises(fb.InputError, match="comes off to either hand"):
         fb.System.from_text(text)
+
+
+def test_a_cord_pulled_at_an_angle_that_is_not_acute_needs_its_sense() -> None:
+    """Beyond a right angle the lowest place of the hub is on the other hand of the cord: R cos(beta) + r."""
+    name = "cord that unwinds from a spool"
+    text = CLOSED[name][1].replace("beta: 40 deg", "beta: 100 deg")
+    with pytest.raises(fb.InputError, match="comes off to either hand"):
+        fb.System.from_text(text)
+    fb.System.from_text(text.replace("at bottom", "counterclockwise"))

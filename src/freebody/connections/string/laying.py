@@ -20,7 +20,16 @@ from freebody.connections.standing import (
 )
 from freebody.connections.string.hanging import Hook, hooks_of
 from freebody.connections.string.node import StringNode, aside
-from freebody.language.expression import Expr, add, multiply, negate, number
+from freebody.language.expression import (
+    FLOAT_FUNCTIONS,
+    Expr,
+    add,
+    evaluate,
+    free_symbols,
+    multiply,
+    negate,
+    number,
+)
 from freebody.language.sentences import Message
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
@@ -32,6 +41,7 @@ from freebody.tolerances import ROUND_OFF, ROUNDED
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_SHARES = (0.04, 0.3, 0.7, 0.96)  # of the range of a parameter
 _SIDES = {"left": (-1.0, 0.0), "right": (1.0, 0.0), "top": (0.0, 1.0), "bottom": (0.0, -1.0)}
 
 
@@ -321,10 +331,28 @@ def sense_of_drum(names: Names, drum: StringNode, along: Direction) -> int:
     """+1 where a cord that leaves a drum in a direction runs counter-clockwise round it, -1 clockwise; 0 where its side
     leaves that open, which is a problem."""
     heading = _in_numbers(names, along)
-    if drum.turn is None and abs(_aside_of_drum(drum, heading)) <= ROUND_OFF * math.hypot(*heading):
+    if drum.turn is None and not _is_on_one_hand(names, drum, along):
         names.problem(_either_hand(drum), "at")
         return 0
     return _sense(drum, heading)
+
+
+def _is_on_one_hand(names: Names, drum: StringNode, along: Direction) -> bool:
+    """Whether the side at which a cord leaves a drum is on the same hand of its direction wherever the parameters of
+    that are: an acute angle stays one, another may be any."""
+    used = sorted(frozenset[str]().union(*map(free_symbols, along.components)) & names.parameters.keys())
+    senses = set[int]()
+    for shares in itertools.product(_SHARES, repeat=len(used)):
+        values = {"pi": math.pi}
+        for name, share in zip(used, shares, strict=True):
+            known = names.parameters[name]
+            turn = math.pi / 2 * share if known.acute else math.pi * (2 * share - 1)
+            size = 2 * share - 1 if known.sign == "any" else share
+            values[name] = turn if known.is_angle else size
+        x, y, *_ = (float(evaluate(c, values, FLOAT_FUNCTIONS)) for c in along.components)
+        aside = _aside_of_drum(drum, (x, y))
+        senses.add(0 if abs(aside) <= ROUND_OFF * math.hypot(x, y) else 1 if aside > 0 else -1)
+    return len(senses) == 1 and 0 not in senses
 
 
 def loose_drum(names: Names, run: StringRun) -> StringNode | None:
