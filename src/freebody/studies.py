@@ -317,6 +317,14 @@ class Studies:
                 metavar="BODY",
                 is_list=True,
             ),
+            Option(
+                "diagram",
+                ("--diagram",),
+                "Axial force, shear force and bending moment along this rod.",
+                str,
+                "",
+                metavar="ROD",
+            ),
             Option("at", ("--at",), "In motion at this time, as 2.5 or 200 ms.", read=SECONDS),
             Option(
                 "show",
@@ -342,15 +350,16 @@ class Studies:
         at: float | None = None,
         show: Sequence[str] = (),
         free: Sequence[str] = (),
+        diagram: str = "",
         view: tuple[float, float] | None = None,
         perspective: bool = False,
         dark: bool = False,
     ) -> Picture | Path:
-        """Draw a model at its start or in motion, or bodies of it cut free.
+        """Draw a model at its start or in motion, bodies of it cut free, or what a rod transmits.
 
-        path: the file to write; without one the picture is returned, which shows itself in a notebook;
-        at: [s]; show: velocity, acceleration, force, instant-centres; view: in space, azimuth and elevation [deg],
-        else from where most is seen."""
+        path: the file to write; without one the picture is returned, which shows itself in a notebook; diagram: axial
+        force, shear force and bending moment along this rod; at: [s]; show: velocity, acceleration, force,
+        instant-centres; view: in space, azimuth and elevation [deg], else from where most is seen."""
         ...
 
     @study("freebody.study.pictures.picture")

@@ -19,15 +19,17 @@ from freebody.narrative.context import Context
 from freebody.narrative.limits import limiting_cases
 from freebody.narrative.lines.glossary import TrueWhen
 from freebody.narrative.lines.naming import asked_symbol, own_symbols, side_of
-from freebody.narrative.lines.script import DerivationStage, FormulaTable, Listing, OptionText, Script, ready
+from freebody.narrative.lines.script import DerivationStage, FormulaTable, Graph, Listing, OptionText, Script, ready
 from freebody.narrative.mistakes.mistakes import found_mistakes
 from freebody.narrative.principles.momentum import parts_of
 from freebody.narrative.questions.of_place import at_its_place
 from freebody.narrative.questions.wanted import answer_holds
+from freebody.narrative.sheets.asking import headline
 from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
 from freebody.study.answering.named_formulas import Chain
+from freebody.study.pictures.diagrams import runs_over
 
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
@@ -85,6 +87,8 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             parts = wanted if isinstance(wanted, tuple) else (wanted,)
             unit += f" = {', '.join(f'{v:.5g}' for v in parts)} {raised(answer.in_unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
+    if runs_over(question):
+        script.add(Graph(question, answer, Sentence("figure.graph", {"what": headline(context.system, question)})))
     notes = [note for note in answer.notes if not _is_derived(note)]
     if notes:
         script.add(Listing(tuple(Sentence("result.note", {"text": ready(note)}) for note in notes)))

@@ -21,6 +21,7 @@ from freebody.narrative.lines.script import (
     DerivationStage,
     Diagram,
     FormulaTable,
+    Graph,
     Item,
     Legend,
     Listing,
@@ -328,7 +329,7 @@ def _pieces(place: int, stage: DerivationStage) -> list[_Piece]:
         if isinstance(item, NumberedFormula):
             found.append(_Piece(place, tuple(waiting), item))
             waiting = []
-        elif isinstance(item, FormulaTable | Listing | Diagram):  # these say something of their own
+        elif isinstance(item, FormulaTable | Listing | Diagram | Graph):  # these say something of their own
             found.append(_Piece(place, tuple(waiting)))
             waiting = []
     if waiting and found and found[-1].line is not None:

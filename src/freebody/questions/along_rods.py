@@ -8,6 +8,7 @@ from __future__ import annotations
 
 import re
 from dataclasses import dataclass
+from itertools import chain, count
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import CannotAnswer
@@ -55,6 +56,10 @@ questions: {it: bending moment of beam as a function of x}
         """Of the grammar."""
         return f"{_WORDS[self.part]} of {self.body} as a function of {self.name}"
 
+    @property
+    def function_of(self) -> str:
+        return self.name
+
     def asked_at(self, place: str) -> str:
         """The question about one section, by its distance from the start of the rod."""
         return f"{_WORDS[self.part]} of {self.body} at {place} from {self.body}.start"
@@ -71,6 +76,12 @@ def is_free(names: Names, name: str) -> bool:
     """Whether a name is none of a model, so that it may be that of a distance."""
     taken = (names.measures, names.parameters, names.bodies, names.connections)
     return name != "t" and not any(name in known for known in taken)
+
+
+def functions_of(names: Names, rod: str) -> list[str]:
+    """The questions of what a rod transmits, by a distance with a name that is free."""
+    name = next(name for name in chain(("x", "s", "z"), (f"x_{k}" for k in count(1))) if is_free(names, name))
+    return [SectionsOfRod(rod, part, name).words for part in _WORDS]
 
 
 def _fits(names: Names, found: Found) -> bool:

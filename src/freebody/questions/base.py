@@ -266,6 +266,11 @@ class Quantity:
         return None
 
     @property
+    def function_of(self) -> str:
+        """The name of what it is a function of, where it is one."""
+        return ""
+
+    @property
     def named_measure(self) -> tuple[str, int] | None:
         """The name of the measure that it is, and whether its value (0), its rate (1) or its acceleration (2)."""
         return None

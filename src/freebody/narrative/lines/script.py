@@ -20,6 +20,8 @@ from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Argument, Message, Sentence
 from freebody.narrative.lines.glossary import Glossary, Meaning, TrueWhen, World
 from freebody.present.report.blocks import Derivative, Difference, Relation, Side
+from freebody.questions.reading import Question
+from freebody.study.answering.answer import Answer
 from freebody.study.answering.spread import NO_DERIVATION, disagreement
 
 ROUND_OFF = 1e-6  # of a line, by the size of its terms
@@ -91,6 +93,25 @@ class Diagram:
     told: tuple[str, ...] = ()  # rows that never act, and of which the equations say so
     turning: tuple[str, ...] = ()  # angles whose rates are drawn as vectors along their axes
 
+    @property
+    def shown(self) -> tuple[tuple[str, ...], ...]:
+        """What tells it from others."""
+        return self.bodies, self.told, self.turning
+
+
+@dataclass(frozen=True)
+class Graph:
+    """The diagram of an answer that is a function of a place or of the time, at the given numbers."""
+
+    question: Question
+    answer: Answer
+    caption: Sentence
+
+    @property
+    def shown(self) -> tuple[tuple[str, ...], ...]:
+        """What tells it from others."""
+        return (("graph", self.question.id),)
+
 
 def _is_number(side: Side) -> bool:
     """Whether it is a number that has a unit if what it is the value of has one: zero needs none."""
@@ -102,7 +123,7 @@ def ready(text: str) -> Argument:
     return text if isinstance(text, Message | Stated) else f"@{text}"
 
 
-Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Diagram
+Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Diagram | Graph
 
 
 @dataclass(frozen=True)

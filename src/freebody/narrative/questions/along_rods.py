@@ -11,7 +11,7 @@ from dataclasses import replace
 
 from freebody.errors import CannotAnswer
 from freebody.language.expression import Symbol
-from freebody.language.sentences import Message
+from freebody.language.sentences import Message, Sentence
 from freebody.narrative.context import Context, Method
 from freebody.narrative.kinds import derivation_of
 from freebody.narrative.lines.script import DerivationStage
@@ -39,8 +39,7 @@ def derive(context: Context, question: Question, answer: Answer, method: Method)
         (given,) = solve(made, setup=here.setup).answers
         if given.expression is None:
             raise CannotAnswer(given.reason or Message("there is no closed form"))
-        opened = here.script()
-        with opened.stage("stage.any_section", "hint.any_section"):
-            opened.say("course.at_any_section", name=Symbol(q.name), rod=q.body, begin=part.begin, end=part.end)
-        stages += [*opened.stages, *derivation_of(made, there)(here, there, given, method)]
+        where = {"name": Symbol(q.name), "rod": q.body, "begin": part.begin, "end": part.end}
+        *before, cut = derivation_of(made, there)(here, there, given, method)
+        stages += [*before, replace(cut, items=(Sentence("course.at_any_section", where), *cut.items))]
     return stages

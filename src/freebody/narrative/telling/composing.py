@@ -2,14 +2,13 @@
 
 from __future__ import annotations
 
-from functools import cache
 from typing import TYPE_CHECKING, Any
 
 from freebody.errors import FreebodyError
 from freebody.language.notation.parts import decimals_with
 from freebody.language.sentences import Sentence
 from freebody.narrative.derivation import Derivation, WorkedSolutions
-from freebody.narrative.lines.script import DerivationStage, ready
+from freebody.narrative.lines.script import DerivationStage, Diagram, Graph, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue
@@ -28,15 +27,13 @@ def report_of(explanation: WorkedSolutions) -> Report:
     catalogue = Catalogue(explanation.language)
     system = explanation.system
 
-    @cache
-    def draw(bodies: tuple[str, ...], told: tuple[str, ...], turning: tuple[str, ...]) -> Picture | None:
-        from freebody.study.pictures.picture import free_body, picture
+    drawn: dict[tuple[tuple[str, ...], ...], Picture | None] = {}
 
-        try:
+    def draw(diagram: Diagram | Graph) -> Picture | None:
+        if diagram.shown not in drawn:
             with decimals_with(catalogue.decimal):
-                return free_body(system, *bodies, told=told) if bodies else picture(system, turning=turning)
-        except FreebodyError:  # a derivation without its picture is better than none
-            return None
+                drawn[diagram.shown] = _drawn(system, diagram)
+        return drawn[diagram.shown]
 
     telling = Telling(catalogue, draw)
     blocks: list[Block] = []
@@ -52,12 +49,27 @@ def report_of(explanation: WorkedSolutions) -> Report:
     return in_style(report, system.style, catalogue.decimal)
 
 
+def _drawn(system: System, diagram: Diagram | Graph) -> Picture | None:
+    """A derivation without its picture is better than none."""
+    from freebody.study.pictures.diagrams import diagram_of
+    from freebody.study.pictures.picture import free_body, picture
+
+    try:
+        if isinstance(diagram, Graph):
+            return diagram_of(system, diagram.question, diagram.answer)
+        if diagram.bodies:
+            return free_body(system, *diagram.bodies, told=diagram.told)
+        return picture(system, turning=diagram.turning)
+    except FreebodyError:
+        return None
+
+
 def plain_derivations(explanation: WorkedSolutions) -> dict[str, Any]:
     """Stage by stage in lines, without pictures."""
     from freebody.present.report.formats.terminal import terminal_text
 
     catalogue = Catalogue(explanation.language)
-    telling = Telling(catalogue, lambda _bodies, _told, _turning: None)
+    telling = Telling(catalogue, lambda _diagram: None)
 
     def told(stage: DerivationStage) -> dict[str, Any]:
         report = Report("", catalogue.language, "", tuple(telling.blocks(stage.items)), catalogue.report_words)

@@ -13,6 +13,7 @@ from freebody.narrative.lines.script import (
     DerivationStage,
     Diagram,
     FormulaTable,
+    Graph,
     Item,
     Legend,
     Listing,
@@ -41,11 +42,11 @@ from freebody.present.report.formulas.rows import formula_width
 
 _IN_A_LINE = 36  # characters of a formula that stands within a text
 Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
-Draw = Callable[[tuple[str, ...], tuple[str, ...], tuple[str, ...]], Picture | None]
+Draw = Callable[[Diagram | Graph], Picture | None]
 
 
 class Telling:
-    """Tells stages in one language. draw: makes the picture of bodies cut free (of the system without any)."""
+    """Tells stages in one language. draw: makes the picture of a diagram."""
 
     def __init__(self, catalogue: Catalogue, draw: Draw) -> None:
         self.catalogue = catalogue
@@ -81,16 +82,16 @@ class Telling:
         figures: list[Figure] = []
         again: list[int] = []
         for item in items:
-            if not isinstance(item, Diagram) and figures:
+            if not isinstance(item, Diagram | Graph) and figures:
                 yield _side_by_side(figures)
                 figures = []
-            if not isinstance(item, Diagram) and again:
+            if not isinstance(item, Diagram | Graph) and again:
                 words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
                 again = []
             if isinstance(item, Sentence):
                 words.append(self.catalogue.tell(item))
                 continue
-            if isinstance(item, Diagram):
+            if isinstance(item, Diagram | Graph):
                 found = self._figure(item)
                 if isinstance(found, int):
                     again.append(found)
@@ -172,16 +173,15 @@ class Telling:
         args = {k: f"@{self.catalogue.short(v)}" if isinstance(v, Sentence) else v for k, v in label.args.items()}
         return self.catalogue.plain(Sentence(label.key, args)).replace("the ", "", 1) + ":"
 
-    def _figure(self, diagram: Diagram) -> Figure | int | None:
+    def _figure(self, diagram: Diagram | Graph) -> Figure | int | None:
         """The figure of a diagram; the number of the one that shows the same already."""
-        shown = (diagram.bodies, diagram.told, diagram.turning)
-        picture = self.draw(*shown)
+        picture = self.draw(diagram)
         if picture is None:
             return None
-        if shown in self.shown:
-            return self.shown[shown]
+        if diagram.shown in self.shown:
+            return self.shown[diagram.shown]
         self.n_figures += 1
-        self.shown[shown] = self.n_figures
+        self.shown[diagram.shown] = self.n_figures
         return Figure(told_picture(picture, self.catalogue), self.catalogue.tell(diagram.caption), self.n_figures)
 
 

@@ -19,6 +19,7 @@ from freebody.present.picture.forces import ShownForce
 from freebody.present.picture.picture import Picture, checked_path
 from freebody.present.picture.whole import Whole, WholeInPlane, described
 from freebody.present.places import Places
+from freebody.study.pictures.diagrams import diagrams_along
 from freebody.study.pictures.free_body import FreeBody, checked_bodies
 from freebody.study.pictures.general_position import general_position
 from freebody.study.pictures.instant import Instant, instant_of
@@ -137,17 +138,21 @@ def draw(
     at: float | None = None,
     show: Sequence[str] = (),
     free: Sequence[str] = (),
+    diagram: str = "",
     view: View = None,
     perspective: bool = False,
     dark: bool = False,
 ) -> Picture | Path:
-    """Draws a system at its start, or at a time; with `free` these bodies alone, cut free. Without a path the picture
+    """Draws a system at its start, or at a time; with `free` these bodies alone, cut free; with `diagram` what is
+    transmitted through the sections of this rod: axial force, shear force, bending moment. Without a path the picture
     is returned, which shows itself in a notebook; with one it is written there, as .svg, .png, .pdf, or .tex with a
     tikzpicture, and the path returned. For the others see `picture`. Raises InputError for another format, ModelError
     where the start cannot be assembled."""
     if path is not None:
         path = checked_path(path)
-    if free:
+    if diagram:
+        made = diagrams_along(system, diagram)
+    elif free:
         made = free_body(system, *free, at=at, show=show, view=view, perspective=perspective)
     else:
         made = picture(system, at=at, show=show, view=view, perspective=perspective)

@@ -2,32 +2,27 @@
 
 An answer is a formula under conditions, or a case distinction of them. What the conditions say of a case decides which
 formula is used; where none is known to hold, the numeric route answers (numbers), and where it has none either, the
-case is outside of what the answer knows. A condition in coordinates, for every pose of the motion, is judged at the
-start where the question is about the start. A formula whose conditions cannot be read as relations between parameters
-is used nowhere.
+case is outside of what the answer knows.
 """
 
 from __future__ import annotations
 
 import math
 from collections.abc import Mapping, Sequence
-from contextlib import suppress
-from dataclasses import dataclass, replace
+from dataclasses import replace
 
 import numpy as np
 from numpy.typing import NDArray
 
-from freebody.errors import CannotAnswer, ExpressionError, FreebodyError
-from freebody.language.expression import Expr
-from freebody.language.notation import Stated, to_python
+from freebody.errors import CannotAnswer, FreebodyError
+from freebody.language.notation import to_python
 from freebody.language.sentences import Message, further
-from freebody.language.truth import read_statement, with_known
 from freebody.numeric.jets import Array
-from freebody.numeric.vectorised import VectorFunction, VectorStatement
+from freebody.numeric.vectorised import VectorFunction
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer, Value, refused
+from freebody.study.answering.forms import AnswerForm, forms_of, which_holds
 from freebody.study.answering.numbers import number_instead
-from freebody.study.answering.scope import is_scope
 from freebody.study.answering.simulated_numbers import number_with_changes
 from freebody.study.answering.solve import solve
 from freebody.study.setup import Setup
@@ -48,18 +43,6 @@ from freebody.study.worded import FAILED
 from freebody.symbolic.gradients import derivative
 from freebody.system.system import System
 
-_ROUND_OFF = 1e-12  # of the larger side, by which a condition that includes equality may miss
-
-
-@dataclass(frozen=True)
-class AnswerForm:
-    """A formula, part by part, and the conditions under which it holds, None where they cannot be read."""
-
-    parts: VectorFunction
-    conditions: tuple[tuple[VectorStatement, str], ...] | None  # each with its words
-    expressions: tuple[Expr, ...]
-    said: tuple[str, ...]
-
 
 class AnswerEvaluator(Evaluator):
     """One question in every case. A quantity of an instant that is not said is meant at the start."""
@@ -76,7 +59,8 @@ class AnswerEvaluator(Evaluator):
         axes = "xyz" if n == (3 if system.space else 2) and not q.is_any_of_several else "123456789"
         labels = [""] if n == 1 else [f".{axes[k]}" if n <= len(axes) else f".{k + 1}" for k in range(n)]
         self.columns = tuple(Column(f"{self.name}{label}", unit, text) for label in labels)
-        self.forms = tuple(self._forms(answer))
+        start = system.start if self.question.at_start else {}
+        self.forms = forms_of(answer, n, start)
         self.reason = answer.reason or answer.why_no_value
         self._derivatives: dict[tuple[int, str], VectorFunction | None] = {}
 
@@ -85,22 +69,6 @@ class AnswerEvaluator(Evaluator):
             return solve(replace(self.system, questions=(self.question,))).answers[0]
         except FreebodyError as error:
             return refused(self.question, str(error))
-
-    def _forms(self, a: Answer) -> list[AnswerForm]:
-        """The formulas, those with readable conditions in parameters alone."""
-        if a.expression is None:
-            return []
-        cases = [(c.expression, c.conditions) for c in a.cases] or [(a.expression, a.conditions)]
-        found: list[AnswerForm] = []
-        start: Mapping[str, Expr] = self.system.start if self.question.at_start else {}
-        for expression, conditions in cases:
-            parts = expression if isinstance(expression, tuple) else (expression,)
-            if len(parts) != len(self.columns):
-                continue
-            said = tuple(map(str, conditions))
-            with suppress(ExpressionError):  # a rate that is left open has no value in parameters
-                found.append(AnswerForm(VectorFunction(parts), _read(conditions, start), parts, said))
-        return found
 
     # -- many cases ---------------------------------------------------------------------------
     def together(self, values: Mapping[str, Array], n: int) -> tuple[Array, Codes]:
@@ -116,18 +84,7 @@ class AnswerEvaluator(Evaluator):
 
     def _which(self, values: Mapping[str, Array], n: int, codes: Codes) -> NDArray[np.int64]:
         """(n,) the first formula that is known to hold and has a value, -1 for none."""
-        known = {**self.own, **values}
-        which = np.full(n, -1)
-        for k, form in enumerate(self.forms):
-            if not form.parts.names <= known.keys() or form.conditions is None:
-                continue
-            holds = (codes == CODES[NOT_DONE]) & (which < 0)
-            for condition, _text in form.conditions:
-                holds &= condition.at(known, n, round_off=_ROUND_OFF) > 0 if condition.names <= known.keys() else False
-            if holds.any():
-                holds &= np.isfinite(form.parts.at(known, n)).all(axis=0)
-                which[holds] = k
-        return which
+        return which_holds(self.forms, {**self.own, **values}, codes == CODES[NOT_DONE])
 
     def slopes(self, values: Mapping[str, Array], n: int, by: Sequence[str]) -> Array:
         """(n, n_columns, n_by) exact derivatives by parameters, of the formula that holds; NaN where there is none."""
@@ -211,12 +168,8 @@ class AnswerEvaluator(Evaluator):
     def _broken(self, values: Values) -> list[str]:
         """Conditions of the answer that are not true of a case."""
         known = {**self.own, **values}
-        told: list[str] = []
-        for form in self.forms:
-            for condition, text in form.conditions or ():
-                if condition.names <= known.keys() and condition.at(known, 1, round_off=_ROUND_OFF)[0] < 0:
-                    told.append(Message("{condition} is not true there", condition=text))
-        return list(dict.fromkeys(told))
+        told = [text for form in self.forms for text in form.broken(known)]
+        return [Message("{condition} is not true there", condition=text) for text in dict.fromkeys(told)]
 
     def described(self) -> dict[str, object]:
         """The formulas and their conditions beside the units."""
@@ -232,19 +185,6 @@ def _n_parts(answer: Answer) -> int:
         if shown is not None:
             return len(shown) if isinstance(shown, tuple) else 1
     return 1
-
-
-def _read(conditions: Sequence[str], start: Mapping[str, Expr]) -> tuple[tuple[VectorStatement, str], ...] | None:
-    """Conditions as statements about arrays, those that say that there is none left out; None where one cannot be
-    read. start: measures in parameters, at the instant of which the answer is."""
-    found: list[tuple[VectorStatement, str]] = []
-    for text in conditions:
-        statement = read_statement(text.expression) if isinstance(text, Stated) else None
-        if statement is not None:
-            found.append((VectorStatement(with_known(statement, start)), text))
-        elif isinstance(text, Stated) or not is_scope(text):
-            return None
-    return tuple(found)
 
 
 class _NotAssembled(CannotAnswer):
