@@ -36,10 +36,6 @@ READING = {"pydantic", "ruamel", "numpy"}
 EXACT = READING | {"flint"}
 MOTION = EXACT | {"rich"}
 DRAWN = {"matplotlib", "fontTools", "PIL"}  # by Matplotlib: plots, and pictures of pixels
-SLIDER = """
-bodies: {block: {particle: 1 kg}}
-connections: {rail: {slider: {body: block, along: right}}}
-"""
 
 
 def loaded(*words: str) -> set[str]:
@@ -90,14 +86,6 @@ def test_an_answer_without_contact_loads_neither_simulation_nor_contact() -> Non
     modules = loaded("solve", str(EXAMPLES / "atwood_machine.yaml"))
     rooms = ("numeric.contact", "numeric.timestepping", "numeric.engine.motion", "study.simulation")
     assert not [m for m in modules for room in rooms if m.startswith(f"freebody.{room}")]
-
-
-def test_kinds_are_imported_when_a_model_names_them(tmp_path: Path) -> None:
-    path = tmp_path / "model.yaml"
-    path.write_text(SLIDER)
-    modules = loaded("mobility", str(path))
-    assert "freebody.connections.slider" in modules
-    assert not {f"freebody.connections.{name}" for name in ("belt", "gear_mesh", "pin", "string", "weld")} & modules
 
 
 SOURCE = Path(__file__).parents[1] / "src"

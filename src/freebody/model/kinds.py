@@ -1,4 +1,5 @@
-"""Kinds by name, each from a file of its own that is found by itself and imported when a model names it."""
+"""Kinds by name, each from a file of its own that is found by itself and imported when it is asked for; a model
+file asks for all, as its words may be those of any."""
 
 from __future__ import annotations
 

@@ -259,10 +259,9 @@ def _has_unit(names: Names, words: Sequence[Word], parameter: str) -> bool:
     if Word("ask", "heavy") in main:  # how heavy may it be, so that the force in the hitch is at most 3 kN
         return names.parameters[parameter].dimension in (MASS, FORCE)
     placed = [given.ASKED_BY[word.what] for word in main if word.kind == "ask" and word.what in PLACED]
-    if placed and all(
-        word.kind != "quantity" for word in main
-    ):  # how high the water may stand, so that a force is small
-        return placed[0].has(names.parameters[parameter])
+    is_turned = Word("verb", "turn") in main and names.parameters[parameter].is_angle  # how far it may be tilted
+    if placed and not is_turned and all(word.kind != "quantity" for word in main):
+        return placed[0].has(names.parameters[parameter])  # how high the water may stand, so that a force is small
     kinds = [given.KIND_OF[w.what] for w in words if w.kind == "quantity" and w.what in given.KIND_OF]
     if not kinds or any(kind.written for kind in kinds):
         return True

@@ -86,6 +86,8 @@ def of_motion(system: System, question: Question) -> Question:
         return question
     assert isinstance(q, RestLimit)
     rest = prepared(left_alone(system, q))
+    if not rest.touching.dry_friction:  # in the air: there is nothing that could slip
+        return question
     draw = rest.setup.draws[0]
     is_led = False
     try:
