@@ -445,3 +445,16 @@ def test_the_place_of_the_greatest_moment_has_a_unit() -> None:
     text = "beam: {length: 6 m}\nsupports: {A: 0, B: 4 m}\nloads: {F: 2 kN at 6 m}\n"
     (found,) = fb.System.from_text(text).solve("greatest bending moment").answers
     assert "at 4 m from beam.start" in map(str, found.notes)
+
+
+@pytest.mark.parametrize("said", ["point: rod.end", "at: rod.end", "body: rod, point: end", "on: ground, pin: rod.end"])
+def test_a_slider_of_a_point_leaves_its_body_free_to_turn(said: str) -> None:
+    # a ladder, of which the lower end is rod.end: theta'' = 3 g cos(theta)/(2 L), towards level
+    text = (
+        "bodies: {rod: {rod: {mass: 2 kg, length: 1 m}, angle: -30 deg}}\n"
+        "connections:\n  A: {slider: {point: rod.start, along: up}}\n"
+        f"  B: {{slider: {{{said}, along: right}}}}\n"
+        "loads: {weight: {gravity: 9.81 m/s^2}}\nmeasures: {theta: angle of rod}\n"
+    )
+    found = answer(text, "angular acceleration of rod at start")
+    assert found == pytest.approx(1.5 * 9.81 * math.cos(math.radians(30)))

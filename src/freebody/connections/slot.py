@@ -29,7 +29,7 @@ class Slot(Connection, kind="slot"):
     times the normal force. A support on rollers is `roller: {at: beam.end, on: floor}`, or `along: right`."""
 
     called: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller")
-    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "roller_support", "Loslager")
+    also: ClassVar[tuple[str, ...]] = ("guide", "groove", "roller", "roller_support", "Loslager", "slider")
 
     said_by_word: ClassVar[Mapping[str, Mapping[str, str]]] = {
         word: {"along": "right"} for word in ("roller", "roller_support", "Loslager")

@@ -12,9 +12,11 @@ def written_kind(word: str, value: Any, kinds: Mapping[str, type[Spec]], *, spac
     """The kind that a file means by a word with these fields: of the kinds for which the word may stand, those that
     take all the fields and need no others; of these the one with the fewest fields of its own (a block without sides
     is a particle). Where none takes them, the only one for which the word may stand: it tells which are wrong. None
-    where there is none, or where two are as plain. A kind of that name goes first where it is one of this model: in
-    the plane a cylinder is a disk."""
-    if (own := kinds.get(word)) is not None and (space or not own.space_only):
+    where there is none, or where two are as plain. A kind of that name goes first where it is one of this model (in
+    the plane a cylinder is a disk), unless its fields are those of another one: a slider of a point is a slot."""
+    own = kinds.get(word)
+    is_own = own is not None and (space or not own.space_only)
+    if is_own and takes(kinds[word], value):
         return word
     here = [name for name, kind in kinds.items() if not (kind.in_plane if space else kind.space_only)]
     called = [name for name in here if word in kinds[name].also]
