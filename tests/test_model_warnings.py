@@ -444,6 +444,39 @@ def test_a_planet_that_does_not_fit_between_sun_and_ring() -> None:
     assert "touch at 0.043 m" in told
 
 
+PLANETARY = """
+parameters: {rS: 80 mm, rP: 40 mm, wS: 5 rad/s}
+bodies:
+  sun: {gear: {radius: rS}}
+  planet: {gear: {radius: rP}}
+  ring: {RING: {radius: rS + 2*rP}}
+  carrier: {rod: {length: rS + rP}}
+connections:
+  s: {pin: [ground, sun]}
+  c: {pin: [ground, carrier.start]}
+  p: {pin: [carrier.end, planet]}
+  inner: {gear_mesh: [sun, planet]}
+  outer: {gear_mesh: [planet, ring]}
+  fix: {weld: [ground, ring]}
+  drive: {driver: {measure: angle of sun, speed: wS}}
+"""
+
+
+@pytest.mark.parametrize("ring", ["ring_gear", "internal_gear", "Hohlrad"])
+def test_a_ring_gear_by_its_radius_has_its_teeth_inside(ring: str) -> None:
+    """Willis: wC (rS + rR) = rS wS with the ring at rest, and the carrier may stand anywhere."""
+    text = PLANETARY.replace("RING", ring)
+    assert warned(text) == []
+    found = fb.System.from_text(text).solve("angular velocity of carrier").answers[0]
+    assert found.value == pytest.approx(80 * 5 / (80 + 160))
+
+
+def test_a_ring_that_is_taken_for_a_wheel_is_told_with_its_cure() -> None:
+    ((kind, told),) = warned(PLANETARY.replace("RING", "ring"))
+    assert kind == "gears apart"
+    assert "write gear_mesh: {first: ring, second: planet, internal: true}" in told
+
+
 def test_a_wrong_angle_explains_what_stands_elsewhere_because_of_it() -> None:
     tilted = WALL.replace("along: right}", "along: 20 rad}").replace("PLACE", "0.45 m")
     assert [kind for kind, _told in warned(tilted)] == ["many turns"]

@@ -92,9 +92,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def as_meant(self, names: Names) -> Self:
         """With the ring gear first."""
         first, second = names.bodies.get(self.first), names.bodies.get(self.second)
-        if first is None or second is None or second.teeth is None or not second.teeth.is_internal:
-            return self
-        if first.teeth is not None and first.teeth.is_internal:
+        if first is None or second is None or first.has_inner_teeth or not second.has_inner_teeth:
             return self
         swapped = {
             "first": self.second,
@@ -163,8 +161,7 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
 
     def _is_internal(self, names: Names) -> bool:
         """Whether the first gear is a ring gear."""
-        teeth = names.known(self.first).teeth
-        return self.internal or (teeth is not None and teeth.is_internal)
+        return self.internal or names.known(self.first).has_inner_teeth
 
     def _counts(self, names: Names) -> tuple[Expr, ...]:
         """The numbers of teeth, as far as they are said here or with the gears."""
@@ -252,13 +249,13 @@ connections: {p: {pin: [ground.A, a]}, q: {pin: [ground.B, b]}, it: {gear_mesh: 
     def _look_at_modules(self, names: Names) -> None:
         """Of gears by teeth and module: one module, and the ring gear first."""
         first, second = names.known(self.first), names.known(self.second)
-        if first.teeth is None or second.teeth is None:
-            return
-        if second.teeth.is_internal:
+        if second.has_inner_teeth:
             told = Message(
                 "{ring} is a ring gear: write it first, [{ring}, {planet}]", ring=second.name, planet=first.name
             )
             names.problem_once(told)
+        if first.teeth is None or second.teeth is None:
+            return
         one, other = (names.numeric(body.teeth.module) for body in (first, second) if body.teeth is not None)
         if one is not None and other is not None and not is_near(one, other):
             names.problem_once(

@@ -71,7 +71,6 @@ class Teeth:
     count: Expr
     module: Expr
     radius: Expr
-    is_internal: bool = False
 
 
 @dataclass(frozen=True)
@@ -196,6 +195,7 @@ class RigidBody:
     sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False  # a circle with room inside
     teeth: Teeth | None = None
+    has_inner_teeth: bool = False  # as a ring gear
     edges: tuple[
         Edge[Components], ...
     ] = ()  # what is drawn of it, from the mass centre, where that is no full circle or polygon

@@ -206,6 +206,8 @@ class Spec(BaseModel, metaclass=_Described):
     is_chosen: ClassVar[bool | None] = None
     # fields that people give it and that are another kind's: what to write there
     elsewhere: ClassVar[Mapping[str, str]] = {}
+    # fields that such a word means by itself: a ring gear has its teeth inside
+    meant_by_word: ClassVar[Mapping[str, Mapping[str, Any]]] = {}
     # what a word for the kind says of its fields where a file does not
     said_by_word: ClassVar[Mapping[str, Mapping[str, str]]] = {}
     # what people have a word for and what is written as this kind: how

@@ -40,6 +40,7 @@ class Build:
     sides: Mapping[str, Components] = field(default_factory=dict[str, Components])
     is_ring: bool = False
     teeth: Teeth | None = None
+    has_inner_teeth: bool = False
     edges: tuple[Edge[Components], ...] = ()  # what is drawn of it, where that is no full circle and not straight
     # in space
     circles: Mapping[str, Expr] = field(default_factory=dict[str, Expr])  # radii of round parts, by their points

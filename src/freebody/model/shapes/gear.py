@@ -7,7 +7,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from dataclasses import replace
-from typing import TYPE_CHECKING, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar
 
 from freebody.language.expression import ONE, divide, free_symbols, multiply, number
 from freebody.language.sentences import Message
@@ -24,13 +24,17 @@ if TYPE_CHECKING:
     from freebody.model.names import Names
 
 
+_INTERNAL = ("ring_gear", "internal_gear", "annular_gear", "Hohlrad")
+
+
 class Gear(Gyrating, kind="gear"):
     """`gear: {teeth: z, module: m, mass: M}`: a uniform disk of the radius m z/2 of its pitch circle, M r^2/2 unless
     `inertia` is given; gears of one module mesh (`gear_mesh: [sun, planet]`). `internal: true` for a ring gear, a thin
     ring, M r^2. A `radius` in place of teeth and module where only the ratio counts."""
 
     called: ClassVar[tuple[str, ...]] = ("disk", "gear wheel", "cog", "pinion")
-    also: ClassVar[tuple[str, ...]] = ("pinion", "Zahnrad")
+    also: ClassVar[tuple[str, ...]] = ("pinion", "Zahnrad", *_INTERNAL)
+    meant_by_word: ClassVar[Mapping[str, Mapping[str, Any]]] = {word: {"internal": True} for word in _INTERNAL}
 
     elsewhere: ClassVar[Mapping[str, str]] = {
         **Gyrating.elsewhere,
@@ -56,18 +60,18 @@ class Gear(Gyrating, kind="gear"):
         M, teeth = names.positive(self, "mass", MASS), self._teeth(names)
         r = names.positive(self, "radius", LENGTH) if teeth is None else teeth.radius
         own, solid = (M * square(r), RING) if self.internal else (half(M * square(r)), DISK)
-        return replace(wheel(names, self, M, r, own, solid), teeth=teeth)
+        return replace(wheel(names, self, M, r, own, solid), teeth=teeth, has_inner_teeth=self.internal)
 
     def _teeth(self, names: Names) -> Teeth | None:
         if self.teeth is None and self.module is None:
             return None
         if self.teeth is None or self.module is None:
             names.problem(Message("a gear has teeth and a module, e.g. gear: {{teeth: 20, module: 2 mm}}"))
-            return Teeth(ONE, ONE, ONE, is_internal=self.internal)
+            return Teeth(ONE, ONE, ONE)
         z, m = names.positive(self, "teeth", DIMENSIONLESS), names.positive(self, "module", LENGTH)
         names.counts.update(free_symbols(z))
         count = names.numeric(z)
         if count is not None and abs(count - round(count)) > ROUNDED:
             near = max(1, round(count))
             names.problem(Message("{z:g} teeth: a number of teeth is whole, e.g. {near}", z=count, near=near), "teeth")
-        return Teeth(z, m, divide(multiply(m, z), number(2)), is_internal=self.internal)
+        return Teeth(z, m, divide(multiply(m, z), number(2)))

@@ -16,6 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
+from freebody.measures.combination import Combination
 from freebody.measures.geometry import Point, position
 from freebody.measures.turned import points_in
 from freebody.model.elements import ConstraintRow
@@ -111,12 +112,14 @@ class ElbowOpen(WarningKind, name="elbow open"):
 
 
 def _way(model: Opened, body: str, without: str) -> Array | None:
-    """The direction in which alone a body may move, without a turn, by all that holds it but its joint to another."""
+    """The direction in which alone a body may move, without a turn, by all that holds it but its joint to another;
+    None where that is no guide: teeth and strings tie its way to turns."""
     columns = list(model.reference.columns(body))
     rows = [row for row in model.system.constraint_rows if body in row.measure.bodies()]
-    slopes = [model.slope(row.measure, model.start)[columns] for row in rows if without not in row.measure.bodies()]
-    if not slopes:
+    holding = [row for row in rows if without not in row.measure.bodies()]
+    if not holding or any(isinstance(row.measure, Combination) for row in holding):
         return None
+    slopes = [model.slope(row.measure, model.start)[columns] for row in holding]
     _u, sizes, directions = np.linalg.svd(np.array(slopes))
     rank = int((sizes > _STRAIGHT * float(sizes.max(initial=0.0))).sum())
     if len(columns) - rank != 1 or float(np.abs(directions[-1][2:]).max(initial=0.0)) > _STRAIGHT:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from freebody.language.expression import add, free_symbols
 from freebody.language.sentences import Message
@@ -29,11 +29,12 @@ class GearsApart(WarningKind, name="gears apart"):
                 continue
             if not free_symbols(add(*sign.radii)) <= known:
                 continue  # nothing says how large they are
-            needed = abs(sum(float(model.reference.number(radius)) for radius in sign.radii))
+            radii = [float(model.reference.number(radius)) for radius in sign.radii]
+            needed = abs(sum(radii))
             apart = float(model.start.value(Distance(sign.first, sign.second)))
             if abs(apart - needed) <= _SAME * needed:
                 continue
-            told = Message(
+            told = _as_in_a_ring_gear(gears, radii, apart) or Message(
                 "the centres of {first} and {second} are {apart:.4g} m apart, and their pitch circles touch at "
                 "{needed:.4g} m: the ratio is that of the radii, but such gears do not mesh",
                 first=gears[0],
@@ -42,3 +43,17 @@ class GearsApart(WarningKind, name="gears apart"):
                 needed=needed,
             )
             yield self.warning(told, "connections", shown.owner, about=frozenset((shown.owner, *gears)))
+
+
+def _as_in_a_ring_gear(gears: tuple[str, str], radii: Sequence[float], apart: float) -> Message | None:
+    """That one pitch circle touches the other from within, where the gears are said to be outside of each other."""
+    needed = abs(radii[0] - radii[1])
+    if min(radii) < 0.0 or abs(apart - needed) > _SAME * sum(radii):
+        return None
+    ring, planet = gears if radii[0] > radii[1] else gears[::-1]
+    return Message(
+        "the pitch circle of {planet} lies inside that of {ring} and touches it, as in a ring gear, but the teeth are "
+        "taken to be outside: write gear_mesh: {{first: {ring}, second: {planet}, internal: true}}",
+        planet=planet,
+        ring=ring,
+    )

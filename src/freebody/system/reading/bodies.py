@@ -215,6 +215,7 @@ class BodySections:
             copies=copied_names(names, name, entry.get("copies"), self.source.mapping("bodies")),
             is_ring=build.is_ring,
             teeth=build.teeth,
+            has_inner_teeth=build.has_inner_teeth,
             edges=tuple(self._edge_from_mass_center(edge, build) for edge in build.edges),
             circles=build.circles,
             parts=tuple(self._part_from_mass_center(part, build) for part in build.parts),

@@ -112,6 +112,7 @@ def put_entry_in_order(w: Written, section: str, name: str, entry: Any) -> None:
         given = rolling_with_friction(w, name, given, word) if kind.kind == _ROLLING else given
     if section == "bodies":
         given = _with_options_beside(w, place, given, word, kind, beside)
+        given = _with_what_the_word_means(given, word, kind)
         given = {key: by_axes(value) if key != word else value for key, value in given.items()}
     w.data[section][name] = given
     if at != section:
@@ -221,6 +222,12 @@ def _with_what_the_word_says(w: Written, name: str, given: Entry, word: str, kin
             Message("{name} is a {word} that says no {field}: {value}", name=name, word=word, field=key, value=value)
         )
     return {**given, word: {**fields, **open_}} if open_ else given
+
+
+def _with_what_the_word_means(given: Entry, word: str, kind: type[Spec]) -> Entry:
+    """A ring gear has its teeth inside."""
+    meant = kind.meant_by_word.get(word)
+    return given if meant is None else {**given, word: {**meant, **kind.from_plain(given[word])}}
 
 
 def _at_its_name(w: Written, name: str, entry: Any) -> Any:
