@@ -373,3 +373,29 @@ def test_what_is_lost_when_something_strikes_is_lost_in_the_impact(question: str
 
 def test_what_is_lost_until_something_strikes_is_lost_on_the_way() -> None:
     assert posed(JERKED, "energy lost until the rope becomes taut").value == 0.0
+
+
+SWUNG_AGAINST = """
+parameters: {m: 4 kg, L: 1.2 m, M: 6 kg, e: 0.5, theta0: 60 deg, b: 1 m, g: 9.81 m/s^2}
+bodies:
+  rod: {rod: {mass: m, length: L}, angle: -90 deg + SIDE}
+  ball: {particle: {mass: M}, at: [0, -b]}
+connections:
+  O: {pin: [ground, rod.start]}
+  track: {slider: {body: ball, along: right}}
+  hit: {contact: {between: [ball, rod], restitution: e}}
+loads: {weight: {gravity: g}}
+start: rest
+"""
+
+
+@pytest.mark.parametrize(("side", "sign"), [("-theta0", 1), ("theta0", -1)])
+def test_a_rod_that_swings_against_a_ball_strikes_it_with_the_face_that_it_turns_to_it(side: str, sign: int) -> None:
+    """w = sqrt(3 g (1 - cos theta0)/L) before, J = m L^2/3 about O: v = (1 + e) J b w/(J + M b^2). Of the two faces of
+    a rod without thickness the other one has the ball behind it until then."""
+    (found,) = (
+        fb.System.from_text(SWUNG_AGAINST.replace("SIDE", side)).solve("velocity of ball after the impact").answers
+    )
+    J, w = 4 * 1.2**2 / 3, math.sqrt(3 * 9.81 * 0.5 / 1.2)
+    assert isinstance(found.value, tuple)
+    assert found.value[0] == pytest.approx(sign * 1.5 * J * w / (J + 6))

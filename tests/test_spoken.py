@@ -200,7 +200,7 @@ SPOKEN: dict[str, list[tuple[str, str]]] = {
         ("Where does the block stop?", "x when block stops"),
         ("energy lost to friction until the block comes to rest", "energy lost until block comes to rest"),
         ("initial friction force of the contact", "friction force of contact at start"),
-        ("deceleration of the block", "|acceleration of x|"),
+        ("deceleration of the block", "-acceleration of x"),
     ],
     "cart_and_pendulum": [
         ("acceleration of the cart at the beginning", "acceleration of cart at start"),
@@ -286,9 +286,9 @@ SPOKEN |= {
         ),
     ],
     "motorcycle_brakes": [
-        ("for which mu does it brake with 6 m/s^2", "value of mu for which |acceleration of x| = 6 m/s^2"),
-        ("for which mu is the deceleration 0.6 g", "value of mu for which |acceleration of x| = 0.6*g"),
-        ("Bei welchem mu bremst das Motorrad mit 0,6 g?", "value of mu for which |acceleration of x| = 0.6*g"),
+        ("for which mu does it brake with 6 m/s^2", "value of mu for which -acceleration of x = 6 m/s^2"),
+        ("for which mu is the deceleration 0.6 g", "value of mu for which -acceleration of x = 0.6*g"),
+        ("Bei welchem mu bremst das Motorrad mit 0,6 g?", "value of mu for which -acceleration of x = 0.6*g"),
     ],
     "quick_return": [
         ("sliding velocity in the slot", "velocity of crank.end relative to lever.mass_center along lever.x"),
@@ -443,7 +443,7 @@ MORE |= {
     ],
 }
 SPOKEN |= {name: [*SPOKEN.get(name, ()), *pairs] for name, pairs in MORE.items()}
-SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(|acceleration of x|)/(g)")]
+SPOKEN["block_on_rough_incline"] += [("Verzögerung in g", "(-acceleration of x)/(g)")]
 SPOKEN["loop_the_loop"] += [
     (
         "From what minimum height must the car start to complete the loop?",

@@ -29,6 +29,13 @@ class Brake(Connection, kind="brake"):
     {static: ..., kinetic: ...}."""
 
     also: ClassVar[tuple[str, ...]] = ("clutch",)
+    elsewhere: ClassVar[Mapping[str, str]] = dict.fromkeys(
+        ("force", "friction", "mu", "normal_force", "pressed", "pressed_with"),
+        Message(
+            "a shoe that is pressed with N at the radius r brakes with mu*N*r: write torque: mu*N*r; where the bearing "
+            "takes that force, or a lever presses the shoe, it is a contact"
+        ),
+    )
 
     between: list[str]
     torque: Formula | dict[str, Any]

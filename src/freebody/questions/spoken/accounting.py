@@ -44,7 +44,7 @@ _RANGE = Word("degree", "range")
 _HIGHEST = (Word("instant", "at the top"), Word("instant", "at the bottom"))
 _HELD_THROUGHOUT = re.compile(r" (?:never leaves|stays on)\b")
 _NO_QUANTITY = re.compile(r"^(?:value|range|least|largest|ratio|does|is|when|whether|time|change|energy|work|turns) ")
-_OF_MOTION = re.compile(r"^\|?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
+_OF_MOTION = re.compile(r"^[|-]?(?:greatest |least )?(?:angular )?(?:speed|velocity|acceleration) of ")
 _MOVED = re.compile(_OF_MOTION.pattern + r"(?P<body>\w+)(?! relative)")
 # kinds of quantities, and how words of the grammar ask for one of them, or say when something is so of it
 _SAID = (

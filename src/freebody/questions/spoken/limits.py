@@ -102,7 +102,9 @@ def limits(names: Names, words: list[Word], modal: set[str]) -> Groups:
     end = _end(names, head, state, modal)
     if end == "largest" and _hinders(names, state, parameter):
         return
-    if lasts == _NO_SLIP and rolls_down(names):
+    is_of_friction = parameter in given.parameters(names, "friction coefficient", "")
+    says_nothing = lasts == _REST and not state.words and is_of_friction  # the least mu, of what rolls
+    if (lasts == _NO_SLIP or says_nothing) and rolls_down(names):
         lasts = "it rolls without slipping"
     if end in ("least", "largest"):
         yield [f"{end} {parameter} so that {lasts}"]

@@ -219,16 +219,23 @@ def _common(names: Names, quantity: str, rest: Clause) -> Groups:
 
 @said_of("deceleration", "angular deceleration")
 def _slowing(names: Names, quantity: str, rest: Clause) -> Groups:
-    """How strongly something is slowed down: the size of its acceleration."""
+    """How strongly something is slowed down: its acceleration against the way in which it sets out, the size of that
+    where the way is not known."""
     of = [name for _, name in rest.names]
     who = next(iter(of), "")
     turns = quantity.startswith("angular") or of_axles.axle_of(names, who) == "center"
     if rest.only("name", *SILENT) and len(of) <= 1:
         measures = lookup.angles(names, who) if turns else lookup.places(names, who)
-        yield [f"|acceleration of {measure}|" for measure in measures]
+        yield [_slowing_of(names, measure) for measure in measures]
         alone = [who] if who in names.bodies else lookup.massive(names)
         yield [f"|acceleration of {alone[0]}|"] if not (measures or turns) and len(alone) == 1 else []
         yield [f"|angular acceleration of {who}|"] if turns and who in names.bodies else []
+
+
+def _slowing_of(names: Names, measure: str) -> str:
+    if lookup.rises(names, measure, 1):
+        return f"-acceleration of {measure}"
+    return f"acceleration of {measure}" if lookup.rises(names, measure, -1) else f"|acceleration of {measure}|"
 
 
 def slowed_most(names: Names, quantity: str, rest: Clause) -> Groups:

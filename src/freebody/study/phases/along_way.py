@@ -36,6 +36,7 @@ from freebody.symbolic.zeros import reals, turn_of
 
 _NOW = 1e-9  # a place at the very end of the way, relative to it
 _HERE = 1e-7  # a place that is the one of the start
+_BESIDE = 1e-6  # of a place: just before and just after it
 _CLOSE = 1e-5  # a place that round-off may put on either side of the start
 N_ALONG = 24  # places on the way at which a speed must be real
 _FAR = 1e4  # how far a way without an end is looked along, by its own size
@@ -254,6 +255,8 @@ class EnergyRoad:
         found: list[PossibleEnd] = []
         for turned, length in roads:
             good = self.mine & np.isfinite(length)
+            if watch.kind == "touches":
+                good &= ~self._comes_from_behind(watch, at, self.way * turned)
             for sign in (1, -1):
                 here = good & (self.way * turned == sign)
                 if here.any():
@@ -264,6 +267,15 @@ class EnergyRoad:
                     exists = (*self.course.reachable(zero), *there)
                     found.append(PossibleEnd(watch, zero, np.where(here, length, np.inf), exists))
         return found
+
+    def _comes_from_behind(self, watch: PhaseWatch, at: Array, way: Array) -> Mask:
+        """Where a gap is negative before a place and positive after it: what comes through a face from behind does not
+        touch it."""
+        step = _BESIDE * self._size(at) * way
+        gap = self.course.as_function(watch.element)
+        before, after = (self.sets.evaluate(self.model, gap, {self.c.index: at + side * step}) for side in (-1, 1))
+        with np.errstate(invalid="ignore"):
+            return (before < 0.0) & (after > 0.0)
 
     def _time(self, place: Ratio, way: int, here: Mask) -> Ratio | None:
         """When the coordinate is first at a place on its way up (+1) or down (-1), by the one formula that says so at
