@@ -458,3 +458,15 @@ def test_a_slider_of_a_point_leaves_its_body_free_to_turn(said: str) -> None:
     )
     found = answer(text, "angular acceleration of rod at start")
     assert found == pytest.approx(1.5 * 9.81 * math.cos(math.radians(30)))
+
+
+def test_parts_of_a_composite_body_are_called_without_a_word_for_them() -> None:
+    # a clock: I = m L^2/3 + M (R^2/2 + (L + R)^2) about the axle, and m L/2 + M (L + R) below it
+    text = (
+        "bodies:\n  clock: {composite: {rod: {rod: {mass: 3 kg, length: 1.2 m}, at: [0, -0.6 m], angle: -90 deg}, "
+        "bob: {disk: {mass: 5 kg, radius: 0.15 m}, at: [0, -1.35 m]}}}\n"
+        "connections: {O: {pin: [ground, clock.origin]}}\nloads: {weight: {gravity: 9.81 m/s^2}}\n"
+    )
+    inertia = 3 * 1.2**2 / 3 + 5 * (0.15**2 / 2 + 1.35**2)
+    period = 2 * math.pi * math.sqrt(inertia / (9.81 * (3 * 0.6 + 5 * 1.35)))
+    assert answer(text, "period of small oscillations") == pytest.approx(period)

@@ -46,6 +46,16 @@ class Composite(Shape, kind="composite"):
 
     example = "{parts: {hub: {disk: {mass: 2 kg, radius: 0.2 m}}, tip: {particle: {mass: 1 kg}, at: [0.5 m, 0]}}}"
 
+    @classmethod
+    def from_plain(cls, value: object) -> dict[str, Any]:
+        """A list is one of parts, and so is what has none of the fields: `composite: {arm: {rod: ...}, bob: ...}`."""
+        is_named = (
+            isinstance(value, dict) and bool(value) and not {*cast("dict[str, Any]", value)} & {*cls.model_fields}
+        )
+        if is_named and all(isinstance(part, dict) for part in cast("dict[str, Any]", value).values()):
+            return {"parts": value}
+        return super().from_plain(value)
+
     def build(self, names: Names) -> Build:
         mass: Expr = ZERO
         moment: Components = names.origin

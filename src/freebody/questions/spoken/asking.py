@@ -354,7 +354,7 @@ def _plain(names: Names, clause: Clause) -> Groups:
     if len(asked) > 1 and asked[0] in _OF_QUANTITY:
         inner = Clause([w for w in clause.words if w != Word("quantity", asked[0])])
         for group in quantities(names, inner):
-            yield [f"{asked[0]} of {text}" for text in group]
+            yield [text if text.startswith(asked[0]) else f"{asked[0]} of {text}" for text in group]
         return
     if len(asked) != 1:
         return

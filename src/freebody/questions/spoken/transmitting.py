@@ -6,6 +6,8 @@ from typing import TYPE_CHECKING
 
 from freebody.language.expression import free_symbols
 from freebody.language.units import TORQUE
+from freebody.measures.base import Measure
+from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.solids import ROD
 from freebody.questions.spoken import joining, lookup, rubbing, strings
@@ -88,8 +90,14 @@ def through_springs(names: Names) -> list[str]:
     pressing = [p for p in names.applied_loads if GROUND in p.measure.bodies()]
     pressing = [p for p in pressing if not free_symbols(p.law) <= names.parameters.keys() | {"t"}]
     is_guided = bool(joints) and all("guide" in names.called.get(name, ()) for name in joints)
-    is_one_way = all(p.measure == pressing[0].measure for p in pressing)
+    is_one_way = all(_measured(p.measure) == _measured(pressing[0].measure) for p in pressing)
     return list(dict.fromkeys(p.load for p in pressing)) if is_guided and is_one_way else []
+
+
+def _measured(measure: Measure) -> Measure:
+    """Of a spring, that of which a length is taken off."""
+    is_one = isinstance(measure, Composed) and len(measure.measures) == 1
+    return measure.measures[0][1] if is_one else measure
 
 
 def along_guide(names: Names, of: list[str]) -> list[str]:
