@@ -9,6 +9,7 @@ from freebody.language.units import TORQUE
 from freebody.measures.base import Measure
 from freebody.measures.combination import Composed
 from freebody.measures.geometry import GROUND, ZERO
+from freebody.model.elements import NonholonomicForm
 from freebody.model.solids import ROD
 from freebody.questions.spoken import joining, lookup, rubbing, strings
 from freebody.questions.spoken.composing import SILENT
@@ -94,10 +95,9 @@ def through_springs(names: Names) -> list[str]:
     return list(dict.fromkeys(p.load for p in pressing)) if is_guided and is_one_way else []
 
 
-def _measured(measure: Measure) -> Measure:
+def _measured(measure: Measure | NonholonomicForm) -> Measure | NonholonomicForm:
     """Of a spring, that of which a length is taken off."""
-    is_one = isinstance(measure, Composed) and len(measure.measures) == 1
-    return measure.measures[0][1] if is_one else measure
+    return measure.measures[0][1] if isinstance(measure, Composed) and len(measure.measures) == 1 else measure
 
 
 def along_guide(names: Names, of: list[str]) -> list[str]:
