@@ -708,6 +708,43 @@ connections: {hit: {pin: [a, b], closes: at start}}
 @pytest.mark.parametrize(
     "said",
     [
+        "angular velocity of body when the wheel turns at 100 rad/s relative to the body",
+        "angular velocity of body when wheel spins at 100 rad/s relative to it",
+    ],
+)
+def test_how_fast_something_turns_relative_to_another_is_not_how_fast_it_turns(said: str) -> None:
+    system = fb.System.from_text(
+        """
+bodies: {body: {body: {inertia: 10 kg m^2}}, wheel: {body: {inertia: 0.5 kg m^2}}}
+connections: {axle: {pin: [body, wheel]}, p: {pin: [ground, body]}}
+loads: {motor: {torque: {between: [wheel, body], magnitude: 2 N m}}}
+"""
+    )
+    with pytest.raises(ModelError):
+        system.question(said)
+    of_ground = "angular velocity of body when wheel turns at 100 rad/s relative to the ground"
+    assert system.question(of_ground).understood.endswith("when angular velocity of wheel = 100 rad/s")
+
+
+def test_how_far_something_has_slid_is_a_condition_where_no_measure_tells_it() -> None:
+    system = fb.System.from_text(
+        """
+parameters: {L: 1 m}
+bodies: {wedge: {particle: 8 kg}, block: {particle: 3 kg}}
+connections:
+  floor: {slider: {body: wedge, along: right}}
+  face: {slider: {body: block, on: wedge, along: -30 deg}}
+loads: {weight: {gravity: 9.81 m/s^2}}
+"""
+    )
+    assert system.question("speed of wedge while block slides").understood == "speed of wedge"
+    with pytest.raises(ModelError, match="cannot read the condition 'block has slid L'"):
+        system.question("speed of wedge when block has slid L")
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
         "größte Kraft F, damit upper nicht rutscht",
         "largest F so that upper does not slide on lower",
         "maximum force F for which both blocks move together",

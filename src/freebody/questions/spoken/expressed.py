@@ -13,6 +13,7 @@ from collections.abc import Sequence
 from functools import cache
 from itertools import takewhile
 
+from freebody.measures.geometry import GROUND
 from freebody.questions.spoken.lexicon import ENGLISH, Word, tables
 
 # classes of words of the grammar: a question about a choice, what lasts, what ends it, an instant, an equation
@@ -310,8 +311,19 @@ def dropped(words: Sequence[Word], text: str) -> list[Word]:
         _without_side,
         _of_what_lasts,
         _of_both_failures,
+        _against_another,
     )
     return [*_unexpressed(words, text), *(word for told in others for word in told(words, text))]
+
+
+def _against_another(words: Sequence[Word], text: str) -> list[Word]:
+    """That something turns so fast relative to another body is not how fast it turns; to the ground it is."""
+    relative, own = Word("preposition", "relative"), [word for word in words if word.kind not in ("filler", "value")]
+    if relative not in own or re.search(r"relative|slip|displacement| - |ratio", text):
+        return []
+    behind = own[own.index(relative) + 1 :]
+    is_body = bool(behind) and behind[0].kind in ("name", "pronoun") and not behind[0].what.startswith(GROUND)
+    return [relative] if is_body and Word("mark", "when") in own else []
 
 
 def _of_both_failures(words: Sequence[Word], text: str) -> list[Word]:

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from freebody.language.units import LENGTH, TIME
 from freebody.questions.spoken import (
     driving,
     joining,
@@ -86,6 +87,8 @@ def is_throughout(names: Names, mark: str, clause: Clause) -> bool:
     clause = clause.without("preposition", "with")  # as it turns with the table
     plain = clause.only("verb", "pronoun", "name", *(("updown", "preposition") if is_told else ()))
     own = [name for _, name in clause.names]
+    if any(name in names.parameters and names.parameters[name].dimension in (LENGTH, TIME) for name in own):
+        return False  # once it has slid L
     pushes = ("driving torque", "driving force")  # as a motor says, whatever touches it
     is_led = bool(own) and all(any(driving.drivers(names, name, push) for push in pushes) for name in own)
     return mark in ("while", "when") and goes_on and (joining.goes_on(names) or is_led) and plain
