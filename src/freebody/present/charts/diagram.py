@@ -25,7 +25,7 @@ _BELOW = 12.0  # [points] from the lowest value to the places
 _UP, _DOWN = np.array((0.0, 1.0)), np.array((0.0, -1.0))
 _RIGHT, _LEFT = np.array((1.0, 0.0)), np.array((-1.0, 0.0))
 _AT_BEGIN = (_UP + _RIGHT, _DOWN + _RIGHT, _LEFT)
-_AT_END = (_UP, _DOWN, _UP + _LEFT, _DOWN + _LEFT, _RIGHT)
+_AT_END = (_UP, _DOWN, _UP + _RIGHT, _UP + _LEFT, _DOWN + _LEFT, _RIGHT)
 _SAME = 1e-9  # of the range of values
 
 

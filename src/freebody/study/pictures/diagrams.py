@@ -16,7 +16,7 @@ import numpy as np
 
 from freebody.errors import CannotAnswer, ExpressionError, InputError
 from freebody.language.expression import ZERO, Expr, Symbol, evaluate, free_symbols, substitute
-from freebody.language.notation import Stated
+from freebody.language.notation import Stated, to_text
 from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.model.noting import did_you_mean
@@ -41,6 +41,7 @@ _N = 81  # points of a part
 _ROOM = 10.0  # heights of letters that a formula may be long
 _GOES_ON = 1.5  # how long a motion is drawn, by the last of its changes
 _SAME = 1e-9  # of the range
+_MANY = 1e4  # [N, N m] from where on it is told in kilo
 _NO_VALUES = Message("the diagram needs values of all parameters")
 
 
@@ -91,6 +92,7 @@ class _Diagram:
     def __init__(self, system: System, question: Question, answer: Answer) -> None:
         self.question, self.answer, self.name = question, answer, runs_over(question)
         self.setup = Setup(system)
+        self.parameters = {*system.parameters}
         self.known = {p.name: p.value for p in system.parameters.values() if p.value is not None}
         self.is_over_time = isinstance(question.event, AnyInstant)
         event = question.event
@@ -150,8 +152,18 @@ class _Diagram:
     def _form_at(self, place: float) -> AnswerForm:
         k = int(which_holds(self.forms, {**self.known, self.name: place}, np.ones(1, dtype=bool))[0])
         if k < 0:
-            raise CannotAnswer(_NO_VALUES)
+            raise CannotAnswer(self._why_without_value())
         return self.forms[k]
+
+    def _why_without_value(self) -> Message:
+        """That a parameter has no value, or that it changes in the motion."""
+        e = self.answer.expression
+        assert isinstance(e, Expr)
+        moving = sorted(free_symbols(e) - self.parameters - {self.name, "pi"})
+        if not moving:
+            return _NO_VALUES
+        shown = ", ".join(to_text(Symbol(name)) for name in moving)
+        return Message("it changes in the motion, with {names}: there is a diagram of what rests", names=shown)
 
     @cached_property
     def forms(self) -> tuple[AnswerForm, ...]:
@@ -179,6 +191,8 @@ class _Diagram:
             formula = label.formula(tidy(f.lowest_terms(f.element(self.setup.state.scalar(e)))))
             if formula.width <= _ROOM:
                 return formula
+        if unit.startswith("N") and abs(value) >= _MANY:
+            value, unit = value / 1e3, f"k{unit}"
         text = shown(value)
         return label.words(f"{text} {unit}" if unit not in ("", "1") else text)
 
