@@ -26,6 +26,8 @@ _LONGEST_SYMBOL = 6  # letters of a name that is no word: thetta
 
 def as_function(names: Names, text: str) -> tuple[str, str] | None:
     """What is asked as a function of something in the words of a language, and of what; the time is t."""
+    if (over := _said_by(text, "over_measure")) is not None and over["of"] in names.measures:
+        return over["what"], over["of"]
     if (found := _in_terms_of(text)) is None:
         what = _over_time(text)
         return None if what is None else (what, TIME_SINCE)
@@ -66,5 +68,9 @@ def _over_time(text: str) -> str | None:
 
 
 def _in_terms_of(text: str) -> re.Match[str] | None:
-    each = (re.fullmatch(contexts(language)["as_function"], text, re.IGNORECASE) for language in languages())
+    return _said_by(text, "as_function")
+
+
+def _said_by(text: str, pattern: str) -> re.Match[str] | None:
+    each = (re.fullmatch(contexts(language)[pattern], text, re.IGNORECASE) for language in languages())
     return next((found for found in each if found is not None), None)

@@ -85,6 +85,7 @@ _ENDS = (Word("degree", "least"), Word("degree", "greatest"))
 _HEAVY = (Word("quantity", "weight"), Word("quantity", "mass"))
 _MAY = Word("filler", "may")
 _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
+_ON = Word("preposition", "on")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
 _OF_ITSELF = re.compile(r"^ratio of (?P<one>.+?) to (?P=one)(?: at \w+)?(?: (?:when|at start|after) .*)?$")
 _OF_GROUND = re.compile(r"(?:angle|(?:angular )?(?:velocity|acceleration)|speed) of ground(?= |$)")  # which rests
@@ -101,6 +102,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
     is_steady = Word("instant", "in steady motion") in words and not text.startswith("steady amplitude of ")
     if {*_ENDS} & {*words} and is_steady:  # what is steady has no extreme
         return False
+    if any(on == _ON and by.kind == "name" and by.what in names.measures for on, by in pairwise(words)):
+        return False  # over a measure, or against it: a function
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
     if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):

@@ -32,6 +32,8 @@ def _across_the_cut(names: Names, quantity: str, rest: Clause) -> Groups:
     if quantity == "transverse force" and not points:
         yield from composed(names, "normal force", rest)
         return
+    if any(not before and name in names.loads for before, name in rest.names):
+        return  # a shear force is none of the loads, and nothing says at which of them
     if not rest.only("name", *SILENT) or len(points) != 1 or of not in (points, [*named, *points], [*points, *named]):
         return
     rod = points[0].partition(".")[0]
