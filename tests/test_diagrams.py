@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import replace
 from pathlib import Path
 
 import numpy as np
@@ -9,6 +10,9 @@ import pytest
 
 import freebody as fb
 from freebody.errors import CannotAnswer, InputError
+from freebody.language.expression import Symbol
+from freebody.language.notation import compared
+from freebody.language.parser import parse
 from freebody.present.figures import Array
 from freebody.present.picture.picture import Picture
 from freebody.study.pictures.diagrams import diagram_of, diagrams_along
@@ -86,6 +90,20 @@ def test_a_motion_is_drawn_to_half_beyond_its_last_change() -> None:
 def test_of_what_moves_there_is_none_and_the_reason_is_told() -> None:
     with pytest.raises(CannotAnswer, match="it changes in the motion, with θ"):
         diagrams_along(System.load(EXAMPLES / "falling_hinged_rod.yaml"), "rod")
+
+
+@pytest.mark.parametrize(("formula", "is_drawn"), [("P/x", False), ("P*a/(x + a)", True)])
+def test_what_grows_without_bound_is_not_drawn(formula: str, is_drawn: bool) -> None:
+    system, x = System.load(BEAM), Symbol("x")
+    (question,) = system.asked("shear force of beam as a function of x")
+    within = compared(x, ">", parse("0")), compared(x, "<", parse("a"))
+    found = fb.solve(system, question.text).answers[0]
+    answer = replace(found, expression=parse(formula), conditions=within, cases=())
+    if is_drawn:
+        assert "P" in words_of(diagram_of(system, question, answer))
+        return
+    with pytest.raises(CannotAnswer, match="without bound"):
+        diagram_of(system, question, answer)
 
 
 def test_without_values_there_is_none() -> None:

@@ -7,6 +7,7 @@ Sign convention: as of the answer, positive upwards.
 from __future__ import annotations
 
 from collections.abc import Iterator
+from contextlib import suppress
 from dataclasses import replace
 from functools import cached_property
 from itertools import pairwise
@@ -176,6 +177,8 @@ class _Diagram:
     def _stretch(self, part: Part) -> Stretch:
         places = np.linspace(part.begin.place, part.end.place, _N)
         values = self._values(part.form, places)
+        if not np.isfinite(values).all():
+            raise CannotAnswer(Message("it grows without bound at the end of a part"))
         first = self._value(part.form, part.begin, float(values[0]))
         last = None if part.end.formula is None else self._value(part.form, part.end, float(values[-1]))
         return Stretch(places, values, first, last)
@@ -188,9 +191,10 @@ class _Diagram:
         """The formula where it is short, else the number."""
         if e is not None and free_symbols(e):
             f = self.setup.model.field
-            formula = label.formula(tidy(f.lowest_terms(f.element(self.setup.state.scalar(e)))))
-            if formula.width <= _ROOM:
-                return formula
+            with suppress(CannotAnswer, ArithmeticError):  # what has no formula there has a number
+                formula = label.formula(tidy(f.lowest_terms(f.element(self.setup.state.scalar(e)))))
+                if formula.width <= _ROOM:
+                    return formula
         if unit.startswith("N") and abs(value) >= _MANY:
             value, unit = value / 1e3, f"k{unit}"
         text = shown(value)
