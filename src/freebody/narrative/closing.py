@@ -29,7 +29,6 @@ from freebody.questions.reading import Question
 from freebody.questions.steady import is_steady_place
 from freebody.study.answering.answer import ITS_RATE, Answer, point_moves
 from freebody.study.answering.named_formulas import Chain
-from freebody.study.pictures.diagrams import runs_over
 
 
 def closing(context: Context, question: Question, answer: Answer) -> list[DerivationStage]:
@@ -87,7 +86,7 @@ def _result(context: Context, script: Script, question: Question, answer: Answer
             parts = wanted if isinstance(wanted, tuple) else (wanted,)
             unit += f" = {', '.join(f'{v:.5g}' for v in parts)} {raised(answer.in_unit)}"
         script.say("result.value", value=f"@{shown}{unit}")
-    if runs_over(question):
+    if question.runs_over:
         script.add(Graph(question, answer, Sentence("figure.graph", {"what": headline(context.system, question)})))
     notes = [note for note in answer.notes if not _is_derived(note)]
     if notes:

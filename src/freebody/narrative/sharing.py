@@ -20,8 +20,8 @@ from freebody.narrative.lines.script import (
     REFERENCES,
     DerivationStage,
     Diagram,
+    Drawn,
     FormulaTable,
-    Graph,
     Item,
     Legend,
     Listing,
@@ -329,7 +329,7 @@ def _pieces(place: int, stage: DerivationStage) -> list[_Piece]:
         if isinstance(item, NumberedFormula):
             found.append(_Piece(place, tuple(waiting), item))
             waiting = []
-        elif isinstance(item, FormulaTable | Listing | Diagram | Graph):  # these say something of their own
+        elif isinstance(item, FormulaTable | Listing | Drawn):  # these say something of their own
             found.append(_Piece(place, tuple(waiting)))
             waiting = []
     if waiting and found and found[-1].line is not None:

@@ -56,6 +56,11 @@ class Question:
     found_at: FoundAt | None = None  # of an event that was asked for by what is so there
     in_unit: str = ""  # in which the answer is told beside its own, if that is wanted
 
+    @property
+    def runs_over(self) -> str:
+        """The name of what the answer is a function of; nothing where it is none."""
+        return self.event.name if isinstance(self.event, Anywhere) else self.quantity.function_of
+
 
 def read_questions(names: Names, given: Any) -> tuple[Question, ...]:
     """The questions of a model; a question is a text, or a mapping with find, id, when, options, key, and

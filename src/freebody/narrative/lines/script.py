@@ -123,7 +123,8 @@ def ready(text: str) -> Argument:
     return text if isinstance(text, Message | Stated) else f"@{text}"
 
 
-Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Diagram | Graph
+Drawn = Diagram | Graph
+Item = Sentence | NumberedFormula | Listing | Legend | FormulaTable | Drawn
 
 
 @dataclass(frozen=True)

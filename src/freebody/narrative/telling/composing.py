@@ -8,7 +8,7 @@ from freebody.errors import FreebodyError
 from freebody.language.notation.parts import decimals_with
 from freebody.language.sentences import Sentence
 from freebody.narrative.derivation import Derivation, WorkedSolutions
-from freebody.narrative.lines.script import DerivationStage, Diagram, Graph, ready
+from freebody.narrative.lines.script import DerivationStage, Drawn, Graph, ready
 from freebody.narrative.sheets.asking import headline
 from freebody.narrative.sheets.authored import authored, with_symbols
 from freebody.narrative.telling.catalogue import Catalogue
@@ -29,7 +29,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
 
     drawn: dict[tuple[tuple[str, ...], ...], Picture | None] = {}
 
-    def draw(diagram: Diagram | Graph) -> Picture | None:
+    def draw(diagram: Drawn) -> Picture | None:
         if diagram.shown not in drawn:
             with decimals_with(catalogue.decimal):
                 drawn[diagram.shown] = _drawn(system, diagram)
@@ -49,7 +49,7 @@ def report_of(explanation: WorkedSolutions) -> Report:
     return in_style(report, system.style, catalogue.decimal)
 
 
-def _drawn(system: System, diagram: Diagram | Graph) -> Picture | None:
+def _drawn(system: System, diagram: Drawn) -> Picture | None:
     """A derivation without its picture is better than none."""
     from freebody.study.pictures.diagrams import diagram_of
     from freebody.study.pictures.picture import free_body, picture

@@ -11,9 +11,8 @@ from freebody.language.sentences import Argument, Sentence
 from freebody.narrative.lines.script import (
     Cell,
     DerivationStage,
-    Diagram,
+    Drawn,
     FormulaTable,
-    Graph,
     Item,
     Legend,
     Listing,
@@ -42,7 +41,7 @@ from freebody.present.report.formulas.rows import formula_width
 
 _IN_A_LINE = 36  # characters of a formula that stands within a text
 Entry = tuple[Expr, Sentence, str]  # a symbol, what it means, its unit
-Draw = Callable[[Diagram | Graph], Picture | None]
+Draw = Callable[[Drawn], Picture | None]
 
 
 class Telling:
@@ -82,16 +81,16 @@ class Telling:
         figures: list[Figure] = []
         again: list[int] = []
         for item in items:
-            if not isinstance(item, Diagram | Graph) and figures:
+            if not isinstance(item, Drawn) and figures:
                 yield _side_by_side(figures)
                 figures = []
-            if not isinstance(item, Diagram | Graph) and again:
+            if not isinstance(item, Drawn) and again:
                 words.append(self.catalogue.tell(Sentence("figure.again", {"figure": tuple(again)})))
                 again = []
             if isinstance(item, Sentence):
                 words.append(self.catalogue.tell(item))
                 continue
-            if isinstance(item, Diagram | Graph):
+            if isinstance(item, Drawn):
                 found = self._figure(item)
                 if isinstance(found, int):
                     again.append(found)
@@ -173,7 +172,7 @@ class Telling:
         args = {k: f"@{self.catalogue.short(v)}" if isinstance(v, Sentence) else v for k, v in label.args.items()}
         return self.catalogue.plain(Sentence(label.key, args)).replace("the ", "", 1) + ":"
 
-    def _figure(self, diagram: Diagram | Graph) -> Figure | int | None:
+    def _figure(self, diagram: Drawn) -> Figure | int | None:
         """The figure of a diagram; the number of the one that shows the same already."""
         picture = self.draw(diagram)
         if picture is None:

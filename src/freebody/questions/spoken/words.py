@@ -256,6 +256,8 @@ def _describes(found: Sequence[str | Word], k: int, language: str) -> bool:
     token = found[k]
     if not isinstance(token, _Said) or not is_adjective(token, language) or (token.is_capital and k > 0):
         return False
+    if any(phrases_at(token, 0, other) for other in languages() if other != language):
+        return False  # a word of another language, however it ends: average, torque, over
     after = found[k + 1] if k + 1 < len(found) else ""
     is_thing = isinstance(after, Word) and after.kind == "name"
     is_all = isinstance(after, _Said) and any(word == _SYSTEM for word, _ in phrases_at(after, 0, language))

@@ -61,11 +61,6 @@ class Part(NamedTuple):
     end: End
 
 
-def runs_over(question: Question) -> str:
-    """The name of what the answer is a function of; nothing where it is none."""
-    return question.event.name if isinstance(question.event, Anywhere) else question.quantity.function_of
-
-
 def diagrams_along(system: System, rod: str) -> Picture:
     """Axial force, shear force and bending moment of a rod below each other, without those that vanish everywhere.
     Raises InputError where there is no such rod, CannotAnswer where nothing is transmitted or where it is not known."""
@@ -84,14 +79,14 @@ def diagram_of(system: System, question: Question, answer: Answer) -> Picture:
     """Raises CannotAnswer where the answer is no function, is 0 or has no value, or where no end is known."""
     if answer.expression is None:
         raise CannotAnswer(answer.reason)
-    if not runs_over(question) or isinstance(answer.expression, tuple):
+    if not question.runs_over or isinstance(answer.expression, tuple):
         raise CannotAnswer(Message("there is a diagram of a function of a place or of the time"))
     return _Diagram(system, question, answer).drawn()
 
 
 class _Diagram:
     def __init__(self, system: System, question: Question, answer: Answer) -> None:
-        self.question, self.answer, self.name = question, answer, runs_over(question)
+        self.question, self.answer, self.name = question, answer, question.runs_over
         self.setup = Setup(system)
         self.parameters = {*system.parameters}
         self.known = {p.name: p.value for p in system.parameters.values() if p.value is not None}

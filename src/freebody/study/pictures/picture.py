@@ -151,12 +151,20 @@ def draw(
     if path is not None:
         path = checked_path(path)
     if diagram:
+        _check_alone(at=at, show=show, free=free, view=view, perspective=perspective)
         made = diagrams_along(system, diagram)
     elif free:
         made = free_body(system, *free, at=at, show=show, view=view, perspective=perspective)
     else:
         made = picture(system, at=at, show=show, view=view, perspective=perspective)
     return made if path is None else made.write(path, dark=dark)
+
+
+def _check_alone(**others: object) -> None:
+    """Raises InputError where something else is asked of a picture of diagrams, which show no bodies."""
+    asked = [name for name, value in others.items() if value not in (None, False, (), [])]
+    if asked:
+        raise InputError(Message("a diagram shows no bodies: ask for it without {others}", others=", ".join(asked)))
 
 
 def poses_of(snapshot: Snapshot) -> Array:
