@@ -311,8 +311,9 @@ def read_transition(names: Names, text: str, path: Path) -> Transition | None:
         if rests and not can_change(names):
             return None  # nothing sticks where it stops: an event of a measure, whose rate is zero
         flies = not names.constraint_rows and (name is None or name in names.bodies)
+        flies |= found.groupdict().get("on") in names.bodies[GROUND].lines and not can_change(names)
         if kind == "touches" and flies and found.groupdict().get("on") not in {*names.bodies} - {GROUND}:
-            return None  # what flies lands where it is told to, at no contact
+            return None  # what flies, or touches nothing, lands where it is told to, at no contact
         if name is None:
             if rests:
                 _refuse_rolling(names, (), path)

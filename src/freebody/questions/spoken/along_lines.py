@@ -15,6 +15,8 @@ from freebody.questions.spoken import joining, lookup, rubbing, strings
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_LEVEL = 1e-9  # sine of the angle of what lies level
+
 
 def at_point(names: Names, who: str, point: str) -> list[str]:
     """The condition that something, or whatever does, which goes along a line of a body is at a point of that line."""
@@ -28,6 +30,20 @@ def at_point(names: Names, who: str, point: str) -> list[str]:
         for measure, m in lines
         if (place := _place(names, at, m.origin.offset, m.along.components)) is not None
     ]
+
+
+def down_to(names: Names, point: str, line: str) -> list[str]:
+    """The condition that a point of a body comes to a level line of the ground, where neither touches the other: there
+    is no impact."""
+    body, _, name = point.partition(".")
+    level = names.bodies[GROUND].lines.get(line)
+    if level is None or names.space or not name or name not in names.bodies[body].points:
+        return []
+    slope = names.numeric(level.direction.components[1])
+    own = [joint for joint in names.connections if joining.touches(names, joint, body)]
+    if slope is None or abs(slope) > _LEVEL or any(joining.names_line(names, joint, line) for joint in own):
+        return []
+    return [f"height of {point} = {_written(names, level.through.offset[1])}"]
 
 
 def slid(names: Names, who: str) -> list[str]:

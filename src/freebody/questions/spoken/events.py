@@ -315,7 +315,7 @@ def _hits(names: Names, who: str, other: str) -> Groups:
     if other in names.loads:
         yield [f"{other} is reached"] if other in lookup.catching(names, pulls=False) else []
         return
-    if passing := along_lines.side_by_side(names, who, other):
+    if passing := along_lines.side_by_side(names, who, other) or along_lines.down_to(names, who, other):
         yield passing
         return
     if (drawn := _drawn_to(names, who, other)) and not any(

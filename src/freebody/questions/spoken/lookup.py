@@ -139,11 +139,25 @@ def of_places(names: Names) -> list[str]:
 
 
 def angles(names: Names, body: str) -> list[str]:
-    """Measures of how a body is turned against the ground, or all angles where none is named."""
+    """Measures of how a body, or a straight link or string, is turned against the ground, or all angles where none is
+    named."""
     if body in names.measures:
         return [body] if names.measures[body].dimension == DIMENSIONLESS else []
     found = [(name, measure) for name, measure in names.measures.items() if measure.dimension == DIMENSIONLESS]
-    return [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+    own = [name for name, measure in found if not body or {*measure.bodies()} - {GROUND} == {body}]
+    return own or [name for name, _ in found if _is_along(names, name, body)]
+
+
+def _is_along(names: Names, angle: str, connection: str) -> bool:
+    """Whether an angle is that of the line of a link or of a string between two points."""
+    line, of = bearing(names, angle), names.connections.get(connection)
+    if line is None or of is None:
+        return False
+    with names.quietly():
+        ends = of.straight_between(names)
+    return ends is not None and {(p.body, p.offset) for p in ends} == {
+        (p.body, p.offset) for p in (line.start, line.end)
+    }
 
 
 def hung(names: Names, body: str) -> list[str]:

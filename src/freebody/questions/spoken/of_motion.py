@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND
-from freebody.questions.spoken import along_lines, driving, farthest, joining, lookup, losing, of_axles, polar
+from freebody.questions.spoken import along_lines, driving, farthest, joining, lookup, losing, of_axles, polar, poses
 from freebody.questions.spoken.composing import ALONG, SILENT, Groups, said_of, without_owners
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
@@ -375,6 +375,15 @@ def _angle(names: Names, quantity: str, rest: Clause) -> Groups:
     if not relative:
         yield lookup.angles(names, name)
     yield [f"angle of {name}{relative}"] if name else []
+
+
+@said_of("angle from the vertical", "angle from the horizontal")
+def _inclination(names: Names, quantity: str, rest: Clause) -> Groups:
+    """An angle by the measure that counts from there."""
+    of = [name for _, name in rest.names if name != GROUND]
+    if rest.only("name", *SILENT) and len(of) <= 1:
+        way = quantity.rpartition(" ")[2]
+        yield poses.counting_from(names, lookup.angles(names, next(iter(of), "")), way)
 
 
 @said_of("height")

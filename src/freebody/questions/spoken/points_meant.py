@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
+import math
 from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
+from freebody.model.solids import ROD
 from freebody.questions.spoken import (
     joining,
     lookup,
@@ -21,6 +23,7 @@ if TYPE_CHECKING:
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _HELD_END = "held_end"
+_LEVEL = 1e-9  # sine of the angle of what lies level
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 
 
@@ -41,6 +44,7 @@ def at_free_ends(names: Names, words: list[Word]) -> list[Word]:
             free = joining.free_end(names, body) if not joints else None  # of a rod that hangs, the lower one
             if free is not None and poses.begins_upright(names, body) == (end == "head"):
                 joints = [free]
+            joints = joints or _placed_ends(names, bodies, upper=end == "head")
             if len(joints) != 1:
                 return []
             word = Word("name", _moved_at(names, joints[0], bodies) if _is_moved(words) else joints[0])
@@ -52,6 +56,17 @@ def at_free_ends(names: Names, words: list[Word]) -> list[Word]:
                 return []
             word = Word("name", free[0])
         found.append(word)
+    return found
+
+
+def _placed_ends(names: Names, bodies: list[str], *, upper: bool) -> list[str]:
+    """The ends of rods that are higher (upper), or lower, where the file places them aslant."""
+    found: list[str] = []
+    for body in lookup.turning(names):
+        angle = names.bodies[body].start.angle
+        pointing = None if angle is None or names.space else names.numeric(angle)
+        if body in bodies and names.bodies[body].solid is ROD and pointing and abs(math.sin(pointing)) > _LEVEL:
+            found.append(f"{body}.{'end' if (math.sin(pointing) > 0.0) == upper else 'start'}")
     return found
 
 

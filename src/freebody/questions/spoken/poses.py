@@ -20,6 +20,7 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND, ZERO
 from freebody.model.curves import LevelPlace
+from freebody.model.solids import ROD
 from freebody.questions.spoken import driving, joining, lookup, of_axles, strings
 
 if TYPE_CHECKING:
@@ -272,7 +273,27 @@ def level(names: Names, body: str) -> list[str]:
         if start is not None and rate:  # upright, and pushed to one side
             both = [math.degrees(start) + (90.0 if rate > 0.0 else -90.0)]
         found += [f"{going.measure} = {_told(value)}" for value in both[-1:] if _is_told(value)]
-    return found
+    return found or _lying(names, body)
+
+
+def _lying(names: Names, body: str) -> list[str]:
+    """The condition that a rod lies level which starts aslant and turns about no axle, where no measure tells its
+    angle: on the side to which it leans, where its weight lets it fall from rest, else on that to which it turns."""
+    rods = [one for one in lookup.turning(names) if names.bodies[one].solid is ROD and body in ("", one)]
+    if len(rods) != 1 or names.space or _going(names, rods[0]) or lookup.angles(names, rods[0]):
+        return []
+    begun = names.bodies[rods[0]].start
+    pointing, turns = (names.numeric(one or ZERO) for one in (begun.angle, begun.angular_velocity))
+    if begun.angle is None or pointing is None or turns is None or not _is_aslant(math.degrees(pointing)):
+        return []
+    half_turns = pointing / math.pi
+    if turns:
+        n_half = math.ceil(half_turns) if turns > 0.0 else math.floor(half_turns)
+    elif lookup.rests(names) and not driving.is_driven(names):
+        n_half = round(half_turns)
+    else:
+        return []
+    return [f"angle of {rods[0]} = {_told(180.0 * n_half)}"]
 
 
 def counting_from(names: Names, angles: list[str], way: str) -> list[str]:

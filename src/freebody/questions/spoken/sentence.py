@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import TYPE_CHECKING
 
 from freebody.language.units import TIME
-from freebody.questions.spoken import dimensions, lookup
+from freebody.questions.spoken import along_lines, dimensions, lookup
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.words import Clause
 
@@ -57,6 +57,7 @@ def parted(words: list[Word]) -> Sentence | None:
 def told_who(names: Names, sentence: Sentence) -> Sentence:
     """The sentence with the body that `it` is: the only one that the main clause names, where several move. It is also
     who does what nobody is said to do: after falling 1 m, after 3 turns."""
+    sentence = _landing(names, sentence)
     main = [name for _, name in sentence.main.names]
     who = [name for name in dict.fromkeys(main) if name in lookup.moving(names)]
     if len(who) != 1 or len(lookup.moving(names)) < 2 or any(name in names.connections for name in main):
@@ -69,6 +70,19 @@ def told_who(names: Names, sentence: Sentence) -> Sentence:
         is_doing |= mark == "after" and own.has("turns") and who[0] in lookup.turning(names)
         if is_doing and is_open and _IT not in own.words and Word("pronoun", "system") not in own.words:
             words = [Word("name", who[0]), *words]
+        others.append((mark, Clause(words)))
+    return Sentence(sentence.main, tuple(others))
+
+
+def _landing(names: Names, sentence: Sentence) -> Sentence:
+    """The sentence with the point that `it` is, the only one of the main clause, which comes down to a line."""
+    point = [name for _, name in sentence.main.names if "." in name]
+    if len(point) != 1 or len(sentence.main.names) != 1:
+        return sentence
+    others: list[tuple[str, Clause]] = []
+    for mark, own in sentence.others:
+        lands = any(along_lines.down_to(names, point[0], name) for _, name in own.names)
+        words = [Word("name", point[0]) if word == _IT and lands else word for word in own.words]
         others.append((mark, Clause(words)))
     return Sentence(sentence.main, tuple(others))
 

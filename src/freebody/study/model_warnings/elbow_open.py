@@ -17,7 +17,7 @@ import numpy as np
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.combination import Combination
-from freebody.measures.geometry import Point, position
+from freebody.measures.geometry import GROUND, Point, position
 from freebody.measures.turned import points_in
 from freebody.model.elements import ConstraintRow
 from freebody.numeric.jets import Array
@@ -117,7 +117,8 @@ def _way(model: Opened, body: str, without: str) -> Array | None:
     columns = list(model.reference.columns(body))
     rows = [row for row in model.system.constraint_rows if body in row.measure.bodies()]
     holding = [row for row in rows if without not in row.measure.bodies()]
-    if not holding or any(isinstance(row.measure, Combination) for row in holding):
+    tied = (row for row in holding if isinstance(row.measure, Combination))
+    if not holding or any({*row.measure.bodies()} - {body, GROUND} for row in tied):
         return None
     slopes = [model.slope(row.measure, model.start)[columns] for row in holding]
     _u, sizes, directions = np.linalg.svd(np.array(slopes))

@@ -11,11 +11,14 @@ from freebody.connections.pairs import OutlinePair
 from freebody.language.expression import free_symbols, substitute
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.measures.distance import Bearing
+from freebody.measures.geometry import GROUND
 from freebody.model.carriers import is_distance_kept
 from freebody.model.curves import CurvePlace
 from freebody.model.elements import Attitude, ConstraintRow, DryFriction, UnilateralConstraint
 from freebody.model.named_angles import offered_name
 from freebody.model.names import Names
+from freebody.model.phrases import direction_angle
 from freebody.model.surfaces import SurfacePlace
 from freebody.questions.event import AskedEvent, read_event
 from freebody.system.reading.loads import happening
@@ -102,6 +105,8 @@ def read_rows(
                 offered += [(offered_name(name, key, m), m) for key, m in connection.offers(names)]
     if names.problems:
         return rows, offered
+    swinging = (name for name in connections if not names.measures and name not in closing and name not in later)
+    offered += [(offered_name(name, "angle", m), m) for name in swinging for m in _swung(names, name, connections)]
     kept = [row for row in rows if not row.if_needed]
     always = tuple(row for row in kept if row.connection not in later)
     for row in sorted(rows, key=lambda row: row.name):
@@ -111,6 +116,18 @@ def read_rows(
             kept.append(row)
     order = {id(row): k for k, row in enumerate(rows)}
     return sorted(kept, key=lambda row: order[id(row)]), offered
+
+
+def _swung(names: Names, name: str, connections: Mapping[str, Connection]) -> Iterator[Measure]:
+    """How far a link or a string between a point of the ground and a particle that nothing else holds is turned from
+    hanging straight down."""
+    ends = connections[name].straight_between(names)
+    if ends is None or names.space:
+        return
+    fixed, free = sorted(ends, key=lambda end: not names.known(end.body).fixed)
+    held = [other for other, one in connections.items() if free.body in one.mentions(names)]
+    if names.known(fixed.body).fixed and not names.known(free.body).turns and held == [name]:
+        yield Bearing(fixed, free, GROUND, direction_angle(names.compass["down"]))
 
 
 def read_feet(names: Names, connections: Mapping[str, Connection]) -> dict[str, CurvePlace | SurfacePlace]:

@@ -11,6 +11,7 @@ from freebody.language.sentences import Message
 from freebody.language.units import LENGTH
 from freebody.measures.angle import Angle
 from freebody.measures.base import Measure
+from freebody.measures.distance import Bearing
 from freebody.measures.geometry import GROUND
 from freebody.model.elements import ConstraintRow
 from freebody.model.named_angles import angles_of
@@ -85,7 +86,8 @@ def add_place_of_the_only_body(
     if names.measures or names.space or len(moving) != 1:
         return
     (body,) = moving
-    held = sum(body.name in row.measure.bodies() and not row.unilateral for row in rows)
+    swings = any(isinstance(measure, Bearing) for _, measure in offered)
+    held = sum(body.name in row.measure.bodies() and (swings or not row.unilateral) for row in rows)
     found: dict[str, Measure] = {}
     if held == (2 if body.turns else 1):
         found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
