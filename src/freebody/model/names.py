@@ -261,6 +261,7 @@ class Names(Formulas):
         self.fields: set[tuple[Direction, Expr]] = set()  # of gravity: along which direction, and how strong
         self.free_ground_points: dict[str, tuple[str | int, ...]] = {}
         self.by_coordinates: set[str] = set()  # points of the ground that coordinates make, which somebody wrote
+        self.counted_from_right: set[str] = set()  # angles of bodies that the file does not name
         self.hung: set[str] = set()  # bodies that are taken to hang at the start, since nothing says where they are
         self.laying: list[Joining] = []  # strings whose way is being found, which place nothing yet
         self.standing: dict[tuple[object, ...], Expr | None] | None = None  # where points stand on a way

@@ -30,6 +30,7 @@ from freebody.progress import busy_with
 from freebody.questions.event import Anywhere, OfQuantity
 from freebody.questions.reading import Question
 from freebody.study.answering.answer import Answer
+from freebody.study.answering.asked_of import asked_of
 from freebody.study.answering.nothing_moves import of_what_stays
 from freebody.study.answering.places_of_quantities import placed
 from freebody.study.answering.solution import Solution
@@ -121,7 +122,7 @@ def _asked(system: System, known: Mapping[str, Question], texts: Sequence[str]) 
             raise InputError(told)
     if all(text in known for text in texts):
         return system, tuple(known[text] for text in texts)
-    return system.asked_with(*(known[text].text if text in known else text for text in texts))
+    return asked_of(system, *(known[text].text if text in known else text for text in texts))
 
 
 def _explained(

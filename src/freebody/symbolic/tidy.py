@@ -48,8 +48,8 @@ _FACTOR_TERMS = 600  # larger polynomials are not factored
 
 
 def tidy(x: Ratio) -> Expr:
-    """The readable expression of an element: with asin u or with acos u = pi/2 - asin u, whichever is shorter, so
-    that it does not matter by which of them the element was made."""
+    """The readable expression of an element: with asin u, with acos u = pi/2 - asin u or with acos(-u) = pi - acos u,
+    whichever is shorter, so that it does not matter by which of them the element was made."""
     known, key = x.field.shown, x.key()
     if key not in known:
         known[key] = _shorter_by_arcs(x)
@@ -66,6 +66,10 @@ def _shorter_by_arcs(x: Ratio) -> Expr:
         turned = _as_it_is(f.substitute(x, {g: f.pi / 2 - other}))
         sizes = n_operations(turned), n_operations(shown)
         if sizes[0] < sizes[1] or (sizes[0] == sizes[1] and name == "asin"):
+            shown = turned
+        opposite = complement_atom(f, "acos", -u)  # asin u + pi/2, and pi - acos u
+        turned = _as_it_is(f.substitute(x, {g: opposite - f.pi / 2 if name == "asin" else f.pi - opposite}))
+        if n_operations(turned) < n_operations(shown):
             shown = turned
     return shown
 

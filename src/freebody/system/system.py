@@ -7,6 +7,7 @@ reader and give the same value.
 
 from __future__ import annotations
 
+import re
 from collections.abc import Mapping, Sequence
 from dataclasses import fields, replace
 from pathlib import Path
@@ -147,11 +148,12 @@ class System(SystemDescription):
 
     def asked_with(self, *texts: str) -> tuple[Self, tuple[Question, ...]]:
         """What texts ask for, as `asked` tells, and the system of which they do: a text that cannot be read states
-        values of parameters, as in `tension of rope with m2 = 3 kg`, and is asked of the system that has them."""
+        values of parameters, as in `tension of rope with m2 = 3 kg`, and is asked of the system that has them; or it
+        says that something is cut, as in `acceleration of bar just after rope is cut`."""
         try:
             return self, self.asked(*texts)
         except ModelError:
-            stated = self._with_stated(texts[0]) if len(texts) == 1 else None
+            stated = (self._with_stated(texts[0]) or self._with_cut(texts[0])) if len(texts) == 1 else None
             if stated is None:
                 raise
         return stated
@@ -171,6 +173,30 @@ class System(SystemDescription):
         *before, last = (f"{name} = {value}" for name, value in values.items())
         told = f"{', '.join(before)} and {last}" if before else last
         asked = tuple(replace(q, understood=f"{q.understood or q.text} with {told}") for q in found)
+        return system, asked if len(asked) > 1 else (replace(asked[0], text=text),)
+
+    def _with_cut(self, text: str) -> tuple[Self, tuple[Question, ...]] | None:
+        """The system without the connection or load that a text says is cut, and what is asked of it; None where it
+        says so of none, or where nothing else can be asked."""
+        from freebody.questions.spoken.assumed import cut_in
+
+        if (cut := cut_in(self.names, text)) is None:
+            return None
+        gone, rest = cut
+        document = self.document.without(("questions",)) if "questions" in self.document.data else self.document
+        for name in gone:
+            document = document.without(("connections" if name in self.connections else "loads", name))
+        try:
+            whole = " ".join(q.understood or q.text for q in self.asked(rest))
+            system = self._read(document, self.file)
+            found = system.asked(rest)
+        except ModelError:
+            return None
+        if any(re.search(rf"(?<!along )\b{re.escape(name)}\b", whole) for name in gone):  # it transmits nothing more
+            return None
+        told = Message("{names} is cut as the motion begins: the model is taken without it", names=", ".join(gone))
+        system = replace(system, assumptions=(*system.assumptions, told))
+        asked = tuple(replace(q, understood=f"{q.understood or q.text}, {', '.join(gone)} cut") for q in found)
         return system, asked if len(asked) > 1 else (replace(asked[0], text=text),)
 
     def to_yaml(self) -> str:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING
 
 from freebody.measures.geometry import GROUND
 from freebody.questions.spoken import (
+    driving,
     farthest,
     given,
     joining,
@@ -206,6 +207,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
         hung = lookup.hung(names, who) if clause.has("quantity", "angle") else []
         if degree == "greatest" and clause.has("quantity", "angle") and not whole:
             yield [lookup.farthest(names, angle) for angle in found(names, who) or hung]
+            is_let_go = who in lookup.turning(names) and not (found(names, who) or hung or driving.is_driven(names))
+            yield [f"greatest change of angle of {who}"] if is_let_go else []
             return
         is_way = degree == "greatest" and clause.all("quantity") == ["distance"]
         most = [lookup.farthest_way(names, m) if is_way else f"{degree} {m}" for m in found(names, who) or hung]

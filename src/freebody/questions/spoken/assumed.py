@@ -14,7 +14,7 @@ from typing import TYPE_CHECKING
 from freebody.language.sentences import Message
 from freebody.questions.spoken import joining, lookup, rubbing
 from freebody.questions.spoken.compounds import in_english_nouns
-from freebody.questions.spoken.lexicon import assumptions, languages
+from freebody.questions.spoken.lexicon import assumptions, contexts, languages
 from freebody.questions.spoken.naming import elements_of, linked, plain_names
 
 if TYPE_CHECKING:
@@ -57,6 +57,29 @@ def takes_held_for_stopped(text: str, words: str) -> bool:
 def takes_cut_for_whole(names: Names, text: str) -> bool:
     """Whether a text is about what comes when something is cut, or breaks, that this model still has."""
     return any(what == _CUT and _still_there(names, who) for _, what, who in _assumed(text))
+
+
+def cut_in(names: Names, text: str) -> tuple[list[str], str] | None:
+    """What a text says is cut that the model has, and the rest of the text; None where it says so of nothing, or of
+    more than one thing. In the instant in which it is cut is at the start."""
+    for language in languages():
+        for found in re.finditer(assumptions(language)[_CUT], text, re.IGNORECASE):
+            said = found.groupdict()
+            rest = " ".join(text.replace(found[0], " ").split()).strip(" ,?.!")
+            there = _cut_one(names, said.get("who") or said.get("which") or "", rest)
+            if len(there) != 1:
+                continue
+            is_then = said.get("then") is not None
+            return there, f"{rest} {contexts(language)['as_it_starts']}" if is_then else rest
+    return None
+
+
+def _cut_one(names: Names, who: str, rest: str) -> list[str]:
+    """Connections and loads that words mean: the right one, of what the rest of the text calls by its noun."""
+    if not who.endswith(" one"):
+        return _still_there(names, who)
+    told = (_still_there(names, f"{who.removesuffix('one')}{noun}") for noun in re.findall(r"[^\W\d]+", rest))
+    return next((there for there in told if len(there) == 1), [])
 
 
 def _still_there(names: Names, who: str) -> list[str]:

@@ -36,7 +36,7 @@ def time(names: Names, sentence: Sentence) -> Groups:
     asks = main.has("ask", "when", "soon", "long") or main.has("quantity", "time")
     if asks and main.has("verb", "leave") and not sentence.others and main.only("ask", "verb", "name", *SILENT):
         yield from _lifting(names, main)
-    n_of_event = _is_of_event(main) + (len(main.all("quantity")) > 1 and main.has("relation", "="))
+    n_of_event = _is_of_event(names, main) + (len(main.all("quantity")) > 1 and main.has("relation", "="))
     if not asks or len(main.all("quantity")) > main.has("quantity", "time") + n_of_event:
         return
     head = main.without("ask").without("quantity", "time")
@@ -182,10 +182,10 @@ def _is_pushed(names: Names) -> bool:
     return any("gravity" not in names.called.get(name, ()) for name in names.loads)
 
 
-def _is_of_event(main: Clause) -> bool:
-    """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s."""
+def _is_of_event(names: Names, main: Clause) -> bool:
+    """Whether a quantity beside the time says what is reached: time to reach a speed of 2 m/s, of v."""
     return (
-        main.has("value")
+        _has_value(names, main)
         or main.has("relation", "=")
         or main.has("verb", "vanish", "reach", "halve")
         or main.has("quantity", *_WAYS)

@@ -49,11 +49,14 @@ def how_high(names: Names, main: Clause) -> Groups:
 
 def risen_from_below(names: Names, who: str) -> list[str]:
     """How much higher than at the start something comes that starts where it hangs straight down."""
-    if who not in lookup.moving(names) or not (names.hung or poses.begins_at(names, who, lowest=True)):
+    below = poses.hangs_by_its_angle(names, who)
+    if who not in lookup.moving(names) or not (names.hung or below or poses.begins_at(names, who, lowest=True)):
         return []
     strings = {row.connection for row in names.constraint_rows if row.unilateral and row.reaction == "tension"}
     slackens = any(joining.touches(names, joint, who) for joint in strings)
-    if slackens or (names.hung and not names.measures):  # and then it is not highest where its angle turns back
+    if slackens or (
+        (names.hung or below) and not poses.turning(names, who)
+    ):  # and then it is not highest where its angle turns back
         return [f"(greatest height of {who}) - (height of {who} at start)"]
     return [f"change of height of {who} until {turns}" for turns in poses.turning(names, who)]
 
@@ -109,6 +112,10 @@ def how_far(names: Names, main: Clause) -> Groups:
         if who in names.hung:
             ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
             yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
+            return
+        if who in lookup.turning(names) and {*lookup.angles(names, who)} <= names.counted_from_right:
+            ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
+            yield ways or [f"change of angle of {who} until angular velocity of {who} = 0"]
             return
         placed = {*names.placed_at_start, *names.started_at_zero} if n_freedoms(names) == 1 else set[str]()
         led = {  # by what is placed, or set in motion

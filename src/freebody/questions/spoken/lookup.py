@@ -166,7 +166,10 @@ def hung(names: Names, body: str) -> list[str]:
 
 
 def farthest(names: Names, angle: str) -> str:
-    """How far an angle gets: from zero and at rest it may go either way, or farther when it comes back."""
+    """How far an angle gets: from zero and at rest it may go either way, or farther when it comes back; where the file
+    names no angle it is counted from the start."""
+    if angle in names.counted_from_right:
+        return f"greatest change of {angle}"
     is_at_rest = names.start_rates.get(angle, ZERO) == ZERO and not names.struck_at_start
     return f"greatest {'change of ' if angle in names.started_at_zero and is_at_rest else ''}{angle}"
 

@@ -188,6 +188,25 @@ def begins_at(names: Names, body: str, *, lowest: bool) -> bool:
     return begins_level(names, body, lowest=True) or _starts(names, body, -90.0)
 
 
+def hangs_by_its_angle(names: Names, body: str) -> bool:
+    """Whether the file lets a body that turns about an axle of the ground start with its mass centre straight below."""
+    angle = names.bodies[body].start.angle if body in lookup.turning(names) and not names.space else None
+    turned = None if angle is None else names.numeric(angle)
+    arm = _arm(names, body) if turned is not None else None
+    return arm is not None and abs(math.remainder(math.degrees(turned or 0.0) + arm + 90.0, 360.0)) < _NEAR
+
+
+def _arm(names: Names, body: str) -> float | None:
+    """The direction from the only axle of a body, of the ground or of what only moves level, to its mass centre, in the
+    body [degrees]; None where there is no such axle, or none beside the mass centre."""
+    pins = of_axles.axle_points(names, body, later=True) or of_axles.axle_points_on_level(names, body)
+    if len(pins) != 1:
+        return None
+    centre = names.bodies[body].points["mass_center"]
+    x, y = (names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True))
+    return None if x is None or y is None or math.hypot(x, y) == 0.0 else math.degrees(math.atan2(y, x))
+
+
 def begins_level(names: Names, body: str, *, lowest: bool) -> bool:
     """Whether the file places something where its curve is lowest, or highest."""
     for name, place in _level_places(names, body, lowest=lowest):
@@ -378,14 +397,9 @@ def _about_axles(names: Names, body: str) -> list[_Going]:
         own, sense = _signed(measure)
         if not isinstance(own, Angle) or own.origin != GROUND or body not in ("", name, own.of):
             continue
-        pins = of_axles.axle_points(names, own.of, later=True) or of_axles.axle_points_on_level(names, own.of)
-        centre = names.bodies[own.of].points["mass_center"]
-        if len(pins) != 1:
-            continue
-        arm = [names.numeric(c - p) for c, p in zip(centre, next(iter(pins)), strict=True)]
-        reference = names.numeric(own.reference)
-        if reference is not None and arm[0] is not None and arm[1] is not None and math.hypot(arm[0], arm[1]) > 0.0:
-            found.append(_Going(name, sense, math.degrees(reference + math.atan2(arm[1], arm[0]))))
+        arm, reference = _arm(names, own.of), names.numeric(own.reference)
+        if arm is not None and reference is not None:
+            found.append(_Going(name, sense, math.degrees(reference) + arm))
     return found
 
 

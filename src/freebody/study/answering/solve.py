@@ -22,6 +22,7 @@ from freebody.questions.rest import RestLimit
 from freebody.study.answering import evidence as proof
 from freebody.study.answering import resting_start
 from freebody.study.answering.answer import WITHOUT_VALUE, Answer, Value, made, refused
+from freebody.study.answering.asked_of import asked_of
 from freebody.study.answering.assumed import assumed_at_start
 from freebody.study.answering.beside_the_start import asked_at_start, with_start
 from freebody.study.answering.closed_form import QuestionSolver, with_verdict
@@ -59,7 +60,7 @@ def solve(system: System, question: str | Sequence[str] | None = None, *, setup:
     form, or one whose closed form fails its check, has an Answer that says why and shows no formula."""
     asked = system.questions
     if question is not None:
-        own, asked = system.asked_with(*each(question))
+        own, asked = asked_of(system, *each(question))
         system, setup = own, setup if own is system else None
     functions = {q.id: as_function(system, q, q.event, solve) for q in asked if isinstance(q.event, Anywhere)}
     functions |= {q.id: along_a_rod(system, q, solve) for q in asked if q.quantity.scope == "sections"}

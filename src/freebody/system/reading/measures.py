@@ -93,6 +93,7 @@ def add_place_of_the_only_body(
         found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
     if len(found) == 1 and not found.keys() & names.parameters.keys():
         names.measures = {**names.measures, **found}
+        names.counted_from_right = {name for name, measure in found.items() if isinstance(measure, Angle)}
 
 
 def driven_from_zero(measures: Mapping[str, Measure], rows: Iterable[ConstraintRow]) -> set[str]:
