@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterable, Mapping, Sequence
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any, ClassVar, Literal
 
-from freebody.language.expression import ZERO, Call, Expr, Symbol, divide, multiply, negate, number
+from freebody.connections.standing import stands_at
+from freebody.language.expression import ZERO, Call, Expr, Symbol, add, divide, multiply, negate, number
 from freebody.language.sentences import Message
 from freebody.language.units import (
     DAMPING,
@@ -186,6 +188,24 @@ class Damper(Load, kind="damper"):
 bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 """
+
+    def among(self, names: Names, push: AppliedLoad, others: Sequence[AppliedLoad]) -> AppliedLoad:
+        """Beside a spring of length 0 between the same points, which may meet: on a straight guide through both it acts
+        by the way along that, since the distance of points that meet has no direction."""
+        first, second = names.point(self.first), names.point(self.second)
+        drawn = [o.measure for o in others if isinstance(o.measure, Displacement)]
+        if self.only is not None or not any({m.of, m.origin} == {first, second} for m in drawn) or names.space:
+            return push
+        ways = (line.direction for line in names.bodies[GROUND].lines.values())
+        for along in (*ways, *AXES[:2]):
+            across = [stands_at(names, point, along.normal()) for point in (first, second)]
+            if (
+                across[0] is not None
+                and across[1] is not None
+                and names.numeric(add(across[1], negate(across[0]))) == 0.0
+            ):
+                return replace(push, measure=Displacement(second, first, along))
+        return push
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))

@@ -26,7 +26,7 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
                 if free_symbols(push.law) & by_form.keys():
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
-    return found
+    return [loads[push.load].among(names, push, found) for push in found]
 
 
 class BroughtLoad(Law):
