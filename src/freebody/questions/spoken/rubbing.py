@@ -139,7 +139,7 @@ def is_held_by_friction(names: Names) -> bool:
 def is_still(names: Names) -> bool:
     """Whether friction may hold all there is, and no motion is measured: then an event is none of a motion, it comes
     where something given gets too large."""
-    return is_rough(names) and lookup.rests(names) and not names.measures and not driven(names)
+    return rubs(names) and lookup.rests(names) and not names.measures and not driven(names)
 
 
 def is_carried(names: Names) -> bool:

@@ -87,7 +87,9 @@ def add_place_of_the_only_body(
         return
     (body,) = moving
     swings = any(isinstance(measure, Bearing) for _, measure in offered)
-    held = sum(body.name in row.measure.bodies() and (swings or not row.unilateral) for row in rows)
+    rolling = {name for name, words in names.called.items() if "rolling" in words}  # which is taken not to lift off
+    own = [row for row in rows if body.name in row.measure.bodies()]
+    held = sum(swings or not row.unilateral or row.connection in rolling for row in own)
     found: dict[str, Measure] = {}
     if held == (2 if body.turns else 1):
         found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
