@@ -81,7 +81,7 @@ def test_derivation_of_the_grip_goes_up_to_the_wheel_that_lifts_off() -> None:
     system = fb.System.load(EXAMPLES / "motorcycle_brakes.yaml")
     told = str(system.explain("value of mu for which normal force of rear = 0"))
     assert "defect" not in told
-    assert "Solving (5)" in told
+    assert "Solving (4)" in told
 
 
 def driven(*wheels: str, along: str, angle: str, force: str) -> fb.System:

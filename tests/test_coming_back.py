@@ -26,8 +26,9 @@ BACK = math.sqrt(DOWN / UP)
     ("asked", "value"),
     [
         ("speed of block when it is back at its start", 5.0 * BACK),
-        ("does the block come back?", 5.0 / 9.81 / UP + 5.0 * BACK / 9.81 / DOWN),
-        ("Kommt der Klotz zurück?", 5.0 / 9.81 / UP + 5.0 * BACK / 9.81 / DOWN),
+        ("time when s = 0", 5.0 / 9.81 / UP + 5.0 * BACK / 9.81 / DOWN),
+        ("does the block come back?", DOWN),  # by how much it slips where it turns back
+        ("Kommt der Klotz zurück?", DOWN),
         ("range of mu for which the block comes back to its start", math.tan(math.radians(30))),
         ("Für welche mu kommt der Klotz zum Start zurück?", math.tan(math.radians(30))),
         ("least v_0 so that speed of block when it is back at its start >= v_1", 3.0 / BACK),

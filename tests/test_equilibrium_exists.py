@@ -36,3 +36,25 @@ def test_where_there_always_is_one_that_is_said() -> None:
     )
     assert found.expression is None
     assert "whatever the parameters are" in found.reason
+
+
+COLLAR = """
+parameters: {m: 0.4 kg, k: 200 N/m, l0: 0.2 m, W: 15 rad/s}
+bodies:
+  arm: {rod: {length: 0.6 m}, at: {start: [0, 0]}, angle: 0}
+  collar: {particle: {mass: m}, at: [l0, 0]}
+connections:
+  hub: {pin: [ground.O, arm.start]}
+  guide: {slider: {body: collar, on: arm, along: arm.x}}
+  motor: {driver: {body: arm, speed: W}}
+loads: {spring: {spring: [arm.start, collar], stiffness: k, length: l0}}
+measures: {r: {distance from arm.start to collar}}
+"""
+
+
+def test_a_distance_below_zero_is_no_equilibrium_and_no_claim_is_made_that_numbers_do_not_check() -> None:
+    """r = k l0/(k - m W^2) is a distance for W < sqrt(k/m) alone; rest beside a drive is not searched in numbers."""
+    (found,) = fb.System.from_text(COLLAR).solve("maximum W for which an equilibrium exists").answers
+    assert found.expression is None
+    assert "whatever the parameters are" not in found.reason
+    assert "knows none beside what a drive moves" in found.reason

@@ -39,6 +39,7 @@ from freebody.symbolic.start import StartState
 from freebody.symbolic.state import SymbolicState
 from freebody.symbolic.tidy import tidy
 from freebody.symbolic.unknowns import Coordinate
+from freebody.symbolic.validity import TAKEN
 from freebody.symbolic.zeros import rooted_zeros, solve_linear, zeros_of
 from freebody.tolerances import ROUND_OFF
 
@@ -282,6 +283,21 @@ def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
         if values and values[0] < -ROUND_OFF:
             return False
     return True
+
+
+def where_on_branch(model: SymbolicModel, rest: ClosedFormRest) -> tuple[list[Condition], bool]:
+    """Where the loops and lines are put together as the formulas take for granted, in an equilibrium; and whether they
+    can be at all: a distance of -l0 is none."""
+    state, found = StateOfRest(model, rest.values), list[Condition]()
+    for x in model.samples.assumed:
+        try:
+            condition, is_possible = require(state.here(model.express(x)), ">", TAKEN)
+        except (CannotAnswer, ZeroDivisionError):
+            continue
+        if not is_possible:
+            return [], False
+        found += [] if condition is None else [condition]
+    return found, True
 
 
 def _has_full_inertia(linear: Linearised) -> bool:

@@ -14,15 +14,12 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field, replace
-from typing import Any
 
 from freebody.errors import CannotAnswer, NotReached
 from freebody.language.expression import Symbol
 from freebody.language.notation import compared, joined, reworded
 from freebody.language.sentences import Message, in_turn
-from freebody.model.elements import ConstraintRow
-from freebody.model.state import State
-from freebody.questions.base import Described, Quantity
+from freebody.questions.base import Quantity
 from freebody.study.answering.crosscheck import MOTION_TOLERANCE, CrossCheck, broken, element_at
 from freebody.study.answering.damped_extremes import damped_of
 from freebody.study.answering.damped_extremes import find as find_damped
@@ -32,7 +29,7 @@ from freebody.study.answering.linear_extremes import find as find_linear
 from freebody.study.answering.linear_extremes import measure_followed
 from freebody.study.answering.modal_extremes import find as find_modal
 from freebody.study.answering.modal_extremes import wave_of
-from freebody.study.answering.motion_values import extremes_over_cycle
+from freebody.study.answering.motion_values import OneSided, extremes_over_cycle
 from freebody.study.answering.repeated import checked, taken_throughout
 from freebody.study.answering.settling_extremes import find as find_settling
 from freebody.study.answering.settling_extremes import settling_of
@@ -419,13 +416,3 @@ def _kept(setup: Setup) -> list[Condition]:
             raise CannotAnswer(Message("{connection} does not hold all the time", connection=row.connection))
         found += [*seen.conditions, *([] if condition is None else [condition])]
     return found
-
-
-@dataclass(frozen=True)
-class OneSided(Quantity):
-    """What a row transmits that can only pull, or push."""
-
-    row: ConstraintRow
-
-    def value(self, system: Described, state: State[Any]) -> Any:
-        return self.row.sign * state.multiplier(self.row)

@@ -3,13 +3,18 @@ best one."""
 
 from __future__ import annotations
 
+from dataclasses import dataclass
+from typing import Any
+
 import numpy as np
 
 from freebody.errors import CannotAnswer
 from freebody.language.sentences import Message
 from freebody.measures.base import Measure
+from freebody.model.elements import ConstraintRow
+from freebody.model.state import State
 from freebody.numeric.jets import Array
-from freebody.questions.base import Quantity
+from freebody.questions.base import Described, Quantity
 from freebody.study.answering.draws import Draw
 from freebody.study.answering.repeated import cycle_at_all
 from freebody.study.answering.witness import states_at
@@ -46,11 +51,19 @@ def extremes_between(setup: Setup, draw: Draw, of: Quantity, begin: float, end: 
     return low, high
 
 
+@dataclass(frozen=True)
+class OneSided(Quantity):
+    """What a row transmits that can only pull, or push."""
+
+    row: ConstraintRow
+
+    def value(self, system: Described, state: State[Any]) -> Any:
+        return self.row.sign * state.multiplier(self.row)
+
+
 def insist_held(setup: Setup, draw: Draw, begin: float, end: float) -> None:
     """Raises CannotAnswer where a string goes slack, or a contact opens, between two instants: what is seen there holds
     it on."""
-    from freebody.study.answering.motion_extremes import OneSided
-
     for row in setup.system.constraint_rows:
         if not row.unilateral or begin == end:
             continue

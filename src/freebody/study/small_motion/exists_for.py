@@ -17,7 +17,7 @@ from freebody.study.answering.formula import Formula
 from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import equilibria as searched
 from freebody.symbolic.conditions import Condition
-from freebody.symbolic.equilibrium import equilibria
+from freebody.symbolic.equilibrium import equilibria, where_on_branch
 
 _OPPOSITE = {">": ">=", ">=": ">"}  # of the negative element
 
@@ -26,11 +26,22 @@ def existence(setup: Setup, *, is_so: bool) -> list[Formula]:
     """Where one of the equilibria exists, or where none does. Raises CannotAnswer where none has a closed form, or one
     exists wherever the model does."""
     found = equilibria(setup.model, setup.start, stable_first=False)
-    ways = [[c for c in rest.exists if c.relation in _OPPOSITE] for rest in found if not rest.moves_evenly]
+    ways: list[list[Condition]] = []
+    for rest in found:
+        branch, is_possible = where_on_branch(setup.model, rest)
+        if is_possible and not rest.moves_evenly:
+            ways.append([c for c in (*rest.exists, *branch) if c.relation in _OPPOSITE])
     if not ways:
         raise CannotAnswer(Message("there is no equilibrium: what is pushed goes on with constant acceleration"))
     if not all(ways):
         raise CannotAnswer(Message("there is an equilibrium, whatever the parameters are"))
+
+    if any(row.is_driven for row in setup.system.constraint_rows):
+        told = Message(
+            "the search in numbers for where there is an equilibrium knows none beside what a drive moves: ask for the "
+            "equilibrium, whose conditions say where it exists"
+        )
+        raise CannotAnswer(told)
 
     def in_numbers(values: dict[str, float]) -> float:
         own = {name: x for name, x in values.items() if name in setup.system.parameters}

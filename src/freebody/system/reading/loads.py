@@ -26,7 +26,8 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
                 if free_symbols(push.law) & by_form.keys():
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
-    return [loads[push.load].among(names, push, found) for push in found]
+    with names.quietly():  # what is wrong with them has been told
+        return [loads[push.load].among(names, push, found) for push in found]
 
 
 class BroughtLoad(Law):
