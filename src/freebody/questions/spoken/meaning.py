@@ -39,7 +39,7 @@ from freebody.questions.spoken.recomposing import recomposed
 from freebody.questions.spoken.sentence import Sentence, parted, told_who
 from freebody.questions.spoken.stated import stated
 from freebody.questions.spoken.unneeded import without_unneeded
-from freebody.questions.spoken.where_and_when import at_extreme, at_turning_points, at_value, which_way
+from freebody.questions.spoken.where_and_when import at_extreme, at_turning_points, at_value, at_zero, which_way
 from freebody.questions.spoken.whether import whether
 from freebody.questions.spoken.words import Clause
 
@@ -152,6 +152,7 @@ def _as_they_stand(names: Names, words: list[Word]) -> Groups:
             timed,
             at_extreme,
             at_value,
+            at_zero,
         ):
             yield from told(names, sentence)
     if sentence is not None and is_whether:

@@ -46,6 +46,8 @@ def related(
             said_so = [(sides[0].format(**found.groupdict()), [sides[1].format(**found.groupdict())])] if sides else []
             for one, others in said_so or _sides(names, found, language):
                 first = _one(names, said(one))
+                if _is_of_no_blow(names, found, first):
+                    continue
                 if "bearer" in found.groupdict() and _is_of_surface(names, first):
                     continue
                 each = (_one(names, said(other)) for other in others) if first else ()
@@ -57,6 +59,12 @@ def related(
                 if first and second:
                     is_less = bool(found.groupdict().get("less"))
                     yield from _joined(_SIGNS[how], first, second, is_less=is_less)
+
+
+def _is_of_no_blow(names: Names, found: re.Match[str], first: str) -> bool:
+    """Whether a side is lost in an impact of which the text does not say, and there is none."""
+    may_strike = any(row.unilateral for row in names.constraint_rows) or names.struck_at_start or names.struck_when
+    return first.endswith("in the impact") and found.groupdict().get("blow", "said") is None and not may_strike
 
 
 def loses_share(text: str, words: str) -> bool:

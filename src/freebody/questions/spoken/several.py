@@ -156,7 +156,12 @@ def _is_open(text: str) -> bool:
 
 def _at_another_instant(before: str, after: str, language: str) -> bool:
     """Whether what stands behind a conjunction is another instant of the same quantity: at the start and at the end."""
-    return _is_instant(after, language) and _tail(before, language) != ""
+    return (_is_instant(after, language) or _is_clause(after, language)) and _tail(before, language) != ""
+
+
+def _is_clause(text: str, language: str) -> bool:
+    """Whether a text is a clause of when, and no question: when x = 1 m; not, when does it stop."""
+    return several(language, "clause").match(text) is not None
 
 
 def _is_instant(text: str, language: str) -> bool:
@@ -216,6 +221,8 @@ def _part(elements: Elements, pieces: list[str], k: int, language: str) -> Part:
     found: list[str] = []
     if k < len(pieces) - 1 and not _is_open(own) and _is_instant(pieces[-1], language):  # another instant than its own
         return Part(own, (own,))
+    if _is_clause(pieces[-1], language) and (begun := _tail(pieces[0], language)):
+        return Part(own, (f"{pieces[0].removesuffix(begun)}{own}" if _is_clause(own, language) else own,))
     if k < len(pieces) - 1 and is_asked and several(language, "quantities").search(own):
         # all tensions, and not those of what is named behind; at the instant at which that is
         found += [f"{own} {tail}", own] if tail else [own]

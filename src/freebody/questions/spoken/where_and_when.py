@@ -23,6 +23,9 @@ from freebody.questions.spoken.words import Clause
 if TYPE_CHECKING:
     from freebody.model.names import Names
 
+_PLACES = ("angle", "position")
+_OF_MOTION = ("acceleration", "angular acceleration", "speed", "velocity", "angular velocity")
+
 
 def at_extreme(names: Names, sentence: Sentence) -> Groups:
     """When, where or at which angle something is greatest or least: the time, or the place, when it is."""
@@ -40,11 +43,17 @@ def at_extreme(names: Names, sentence: Sentence) -> Groups:
         of = [word for word in words if word.kind == "name"]
         height = Clause([Word("quantity", "height"), *of])
         yield from timed(names, Sentence(height, (("when", Clause(words[1:])),)))
-    elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in ("angle", "position"):
-        place, rest = words[1 : said[0] + 1], words[said[0] + 1 :]  # the horizontal force is greatest
-        while rest and rest[0].kind in ("name", "preposition"):  # at which angle of the crank
-            place, rest = [*place, rest[0]], rest[1:]
+    elif asks[0] in ("with", "for") and len(said) == 2 and words[said[0]].what in _PLACES:
+        place, rest = _parted_at(words, said[0] + 1)
         yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
+
+
+def _parted_at(words: list[Word], k: int) -> tuple[list[Word], list[Word]]:
+    """The place that is asked for, and what is so there."""
+    place, rest = words[1:k], words[k:]  # the horizontal force is greatest
+    while rest and rest[0].kind in ("name", "preposition"):  # at which angle of the crank
+        place, rest = [*place, rest[0]], rest[1:]
+    return place, rest
 
 
 def at_value(names: Names, sentence: Sentence) -> Groups:
@@ -53,6 +62,22 @@ def at_value(names: Names, sentence: Sentence) -> Groups:
     is_plain = main.only("ask", "quantity", "value", "name", "relation", "part", *SILENT) and not sentence.others
     if main.all("ask") == ["where"] and len(main.all("quantity")) == len(main.values) == 1 and is_plain:
         yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", main.without("ask")),)))
+
+
+def at_zero(names: Names, sentence: Sentence) -> Groups:
+    """Where, or at which angle of the crank, what moves with it is zero: the place, when it is."""
+    words = sentence.main.words
+    said = [k for k, word in enumerate(words) if word.kind == "quantity"]
+    is_plain = sentence.main.only("ask", "quantity", "name", "verb", *SILENT) and not sentence.others
+    if not is_plain or sentence.main.all("verb") != ["vanish"] or words[-1].kind != "verb" or not said:
+        return
+    if words[said[-1]].what not in _OF_MOTION or words[0].kind != "ask" or len(sentence.main.all("ask")) != 1:
+        return
+    if words[0].what == "where" and len(said) == 1:
+        yield from timed(names, Sentence(Clause([Word("quantity", "position")]), (("when", Clause(words[1:])),)))
+    elif words[0].what in ("with", "for") and len(said) == 2 and words[said[0]].what in _PLACES:
+        place, rest = _parted_at(words, said[0] + 1)
+        yield from timed(names, Sentence(Clause(place), (("when", Clause(rest)),)))
 
 
 def at_turning_points(names: Names, sentence: Sentence) -> Groups:
