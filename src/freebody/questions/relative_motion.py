@@ -1,7 +1,7 @@
 """Questions about how one point moves seen from another: v_B - v_A and a_B - a_A, along axes that do not turn.
 
-Source: the composition of velocities, as in Hibbeler, Dynamics, ch. 12.10: v_B = v_A + v_(B/A). Seen from a body that
-turns there are further terms, those of its rotation and of Coriolis; which of both is meant a body alone does not say.
+Source: the composition of velocities, as in Hibbeler, Dynamics, ch. 12.10: v_B = v_A + v_(B/A). Relative to a body that
+turns is seen from it (`seen_from_body`); relative to a point of it, along axes that do not turn.
 """
 
 from __future__ import annotations
@@ -15,6 +15,7 @@ from freebody.measures.geometry import GROUND, Direction, Point
 from freebody.model.state import State
 from freebody.questions.base import Described, Path, Quantity
 from freebody.questions.forms import POINT, Found, asked
+from freebody.questions.seen_from_body import seen_from
 from freebody.questions.vectors import IN_BASIS, ORIGIN, Basis, component, has_name, place, read_basis, said_along
 
 if TYPE_CHECKING:
@@ -93,26 +94,28 @@ _ORDERS: dict[str, Literal[1, 2]] = {"velocity": 1, "speed": 1, "acceleration": 
 )
 def _relative(names: Names, found: Found, path: Path) -> Quantity | None:
     point, other = names.point(str(found["of"]), *path), _seen_from(names, str(found["rel"]), path)
-    if other is None:
-        return None
-    if (point.body, point.offset) == (other.body, other.offset):
+    if other is not None and (point.body, point.offset) == (other.body, other.offset):
         names.problem(Message("{point} has no motion relative to itself; name another point", point=str(point)), *path)
     what = str(found["what"])
     if what == "speed" and (found["along"] or found["basis"] or found["size"]):
         names.problem(Message("a speed has no direction; ask for the velocity along one"), *path)
     along = None if found["along"] is None else names.direction(found["along"], *path)
     is_size = found["size"] is not None or what == "speed"
+    if other is None:
+        basis = found["basis"]
+        return seen_from(names, point, str(found["rel"]), _ORDERS[what], along, path, size=is_size, basis=basis)
     return RelativeMotion(point, other, _ORDERS[what], along, is_size, read_basis(names, found["basis"], path))
 
 
 def _carries_a_string(names: Names, body: str) -> bool:
     """Whether a string runs over a wheel."""
     pulls = [row for row in names.constraint_rows if row.reaction == "tension"]
-    return "center" in names.bodies[body].points and any(body in row.measure.bodies() for row in pulls)
+    wheel = names.bodies[body].is_wheel or names.bodies[body].round
+    return wheel and any(body in row.measure.bodies() for row in pulls)
 
 
 def _seen_from(names: Names, text: str, path: Path) -> Point | None:
-    """A point, or a body that does not turn as a whole."""
+    """A point, or a body that does not turn as a whole; None for one that turns."""
     if text == GROUND:
         return ORIGIN
     body, _, place_on_it = text.partition(".")
@@ -121,10 +124,5 @@ def _seen_from(names: Names, text: str, path: Path) -> Point | None:
             return names.point(body, *path)  # a cart on its track
         if _carries_a_string(names, body):  # what hangs on a pulley is seen from its axle
             return names.point(f"{body}.center", *path)
-        points = ", ".join(f"{body}.{name}" for name in list(names.bodies[body].points)[:4])
-        told = Message(
-            "{body} turns, so its points move differently: name one of them ({points})", body=body, points=points
-        )
-        names.problem(told, *path)
         return None
     return names.point(text, *path)

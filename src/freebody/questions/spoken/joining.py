@@ -235,6 +235,15 @@ def may_act_at(names: Names, joint: str, thing: str) -> bool:
     return not point or not ends or thing in ends
 
 
+def riding(names: Names, joint: str) -> str:
+    """The point that a guide on a body that turns leads along it: the block in the slot of an arm; else nothing."""
+    for row in names.constraint_rows:
+        m = row.measure
+        if row.connection == joint and isinstance(m, Displacement) and m.along.body == m.origin.body:
+            return str(m.of) if m.along.body in lookup.turning(names) else ""
+    return ""
+
+
 def joined_at(names: Names, name: str) -> str:
     """For a pin between bodies that move, and for what touches the ground with a point, that point. Else the name."""
     if name not in names.connections or name in names.bodies:

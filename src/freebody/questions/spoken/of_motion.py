@@ -146,6 +146,9 @@ def _directed(names: Names, rest: Clause) -> tuple[list[str], str, str] | None:
     is_said = len(rest.names) > 1 or not names.connections.keys() & {name for _, name in rest.names}
     for before, name in rest.names:  # of the guide alone: of what is guided
         line = joining.direction(names, name)
+        if before in ("", "of") and (point := joining.riding(names, name)):
+            of.append(point)
+            continue
         is_line = line is not None
         if before == "relative" and not is_line and not relative:
             relative = f" relative to {name}"
@@ -325,6 +328,17 @@ def _heading(names: Names, quantity: str, rest: Clause) -> Groups:
     if rest.only("name", *SILENT) and len(of) == len(rest.names) <= 1:
         bodies = of or lookup.massive(names)
         yield [_HEADINGS[quantity].format(body) for body in bodies]
+
+
+@said_of("Coriolis acceleration")
+def _coriolis(names: Names, quantity: str, rest: Clause) -> Groups:
+    size = "size of " * rest.has("part", "size")
+    rest = rest.without("part", "size")
+    found = _directed(names, rest)
+    if found is not None and rest.only("name", *SILENT) and len(found[0]) <= 1:
+        of, relative, along = found
+        riding = [point for joint in names.connections if (point := joining.riding(names, joint))]
+        yield [f"{size}Coriolis acceleration of {point}{relative}{along}" for point in of or dict.fromkeys(riding)]
 
 
 @said_of("bounce height")
