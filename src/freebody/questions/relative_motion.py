@@ -110,7 +110,7 @@ def _relative(names: Names, found: Found, path: Path) -> Quantity | None:
 def _carries_a_string(names: Names, body: str) -> bool:
     """Whether a string runs over a wheel."""
     pulls = [row for row in names.constraint_rows if row.reaction == "tension"]
-    wheel = names.bodies[body].is_wheel or names.bodies[body].round
+    wheel = names.bodies[body].is_wheel or bool(names.bodies[body].round)
     return wheel and any(body in row.measure.bodies() for row in pulls)
 
 
