@@ -11,7 +11,7 @@ from typing import Any
 from freebody.language.expression import Call, Expr, Sum, add, multiply, negate, number, power
 from freebody.symbolic.field import Field
 from freebody.symbolic.products_shown import Products
-from freebody.symbolic.signs_shown import factors_of, fraction_shown, positive_first
+from freebody.symbolic.signs_shown import factors_of, fraction_shown, is_written_negative, positive_first
 from freebody.symbolic.waves import Monomial, Terms, fourier, n_waves
 
 _MOST_WAVES = 20_000  # of what is gathered: more would not be read, and take minutes
@@ -118,7 +118,7 @@ def _squares_gathered(products: Products, groups: dict[Any, dict[Monomial, int]]
 def _turned(sine: Call) -> Expr:
     """-sin(a - b) = sin(b - a), where that is as short."""
     inside = sine.argument
-    if not isinstance(inside, Sum):
+    if not isinstance(inside, Sum) or not any(map(is_written_negative, inside.terms)):
         return negate(sine)
     return Call("sin", positive_first([negate(t) for t in inside.terms]))
 
