@@ -256,7 +256,7 @@ def test_the_border_is_derived(name: str) -> None:
 
 def test_german() -> None:
     words = fb.explain(System.from_text(SPHERE), CASES["sphere"][1], language="de").to_text()
-    assert "An der Grenze der gesuchten Werte von mu" in words
+    assert "An der Grenze der gesuchten Werte von μ" in words
     assert "jeder in Zahlen geprüft" in words
 
 

@@ -220,6 +220,14 @@ class RangeSearch(TruthInNumbers):
         """Whether it is so just on the border of two cases, in both of which it is, or is not: by the numeric route."""
         return self.wanted.relation in (REACHED, SO) and bool(self.seen(value, draw))
 
+    def _near_ends(self, a: float, b: float, places: Sequence[float]) -> Iterator[float]:
+        """Places just beside the finite ends of an interval, but that of the domain: a motion that hardly begins is not
+        followed to its end."""
+        if math.isfinite(a) and a != self.domain()[0]:
+            yield a + _NEAR * (min(places) - a)
+        if math.isfinite(b) and b != self.domain()[1]:
+            yield b - _NEAR * (b - max(places))
+
     def _between(self, numbers: Mapping[int, Any], a: float, b: float, draw: Draw) -> bool | NotKnown:
         """Whether it holds between two ends. Raises CannotAnswer where it does so at some places only."""
         seen = set[bool]()
@@ -228,7 +236,7 @@ class RangeSearch(TruthInNumbers):
         try:
             seen |= {self.is_true(numbers, value, draw=draw) for value in places}
             if self.is_seen_in_numbers:  # then it may change where no formula vanishes, near to the ends as well
-                seen |= {self.is_true(numbers, value, draw=draw) for value in _near_ends(a, b, places)}
+                seen |= {self.is_true(numbers, value, draw=draw) for value in self._near_ends(a, b, places)}
         except NotKnown as error:
             return error
         finally:
@@ -471,11 +479,3 @@ def _has_one_sign(x: Ratio, index: int) -> bool:
         return False
     c, b, a = powers
     return sign_of(b * b - 4 * a * c) is Sign.NEGATIVE
-
-
-def _near_ends(a: float, b: float, places: Sequence[float]) -> Iterator[float]:
-    """Places just beside the finite ends of an interval."""
-    if math.isfinite(a):
-        yield a + _NEAR * (min(places) - a)
-    if math.isfinite(b):
-        yield b - _NEAR * (b - max(places))
