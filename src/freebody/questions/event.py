@@ -180,6 +180,9 @@ class Peak(QuestionEvent):
 AskedEvent = QuestionEvent | Clock
 
 
+_RATE_OF = re.compile(r"(?:rate|velocity) of (\w+)")
+
+
 def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     """The event that a text states; None, with a problem noted, where it states none."""
     time = None if "t" in names.measures else time_asked(text)
@@ -209,7 +212,12 @@ def read_event(names: Names, text: str, path: Path) -> AskedEvent | None:
     if found is None:
         names.problem(Message("cannot read the condition '{text}'; write for example x = h", text=text), *path)
         return None
-    what, stated = sides_of_equation(names, found["what"].strip(), found["value"].strip())
+    both = found["what"].strip(), found["value"].strip()
+    rates = [_RATE_OF.fullmatch(side) for side in both]
+    if all(side is not None and side[1] in names.measures for side in rates):  # of two measures
+        what, stated = (f"rate({side[1]})" for side in rates if side is not None)
+    else:
+        what, stated = sides_of_equation(names, *both)
     if (sides := _with_measures(names, what, stated)) is not None:
         return QuestionEvent(sides[0], sides[1], -sides[2], text)
     if (several := _of_several(names, what)) is not None:
