@@ -142,3 +142,20 @@ def test_what_is_lost_as_a_string_comes_taut_again_is_derived_when_it_is_asked_a
     told = fb.explain(system, "energy lost when string becomes taut")
     assert told.is_complete
     assert "nothing is struck here" not in told.to_text()
+
+
+@pytest.mark.parametrize(
+    "ends", ["from: ground.hand, to: yoyo.hub", "from: yoyo.hub, to: ground.hand", "from: ground.hand, to: yoyo"]
+)
+def test_a_string_that_ends_at_a_hub_is_wound_on_it(ends: str) -> None:
+    """m g - T = m a, T r = m k^2 a/r."""
+    system = fb.System.from_text(f"""
+parameters: {{m: 0.4 kg, R: 0.04 m, r: 0.01 m, k: 0.03 m, g: 9.81 m/s^2}}
+bodies: {{yoyo: {{disk: {{mass: m, radius: R, inertia: m*k^2, hub: r}}, at: [0, -1 m]}}}}
+ground: {{points: {{hand: [r, 0]}}}}
+connections: {{string: {{string: {{{ends}}}}}}}
+loads: {{weight: {{gravity: g}}}}
+""")
+    assert any("wound on yoyo.hub" in str(each) for each in system.assumptions)
+    (answer,) = system.solve("tension of string").answers
+    assert answer.value == pytest.approx(0.4 * 9.81 * 0.03**2 / (0.03**2 + 0.01**2), rel=1e-9)

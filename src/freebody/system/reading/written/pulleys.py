@@ -109,6 +109,8 @@ def _wind(w: Written, string: str, fields: Entry) -> None:
         wound = {round_ends[0]: f"wound on {fields[round_ends[0]]} radius {radius}"}
     elif len(round_ends) == 1 and _has_hub(bodies[str(fields[round_ends[0]])]):
         wound = {round_ends[0]: f"wound on {fields[round_ends[0]]}.hub"}
+    hubs = {end: body for end in ("from", "to") if (body := _hub_of(bodies, fields.get(end))) is not None}
+    wound |= {end: f"wound on {body}.hub" for end, body in hubs.items() if radius is None}
     if not wound or (radius is not None and len(round_ends) != 1):
         return
     ((word, _value),) = w.data["connections"][string].items()
@@ -135,6 +137,12 @@ def _is_free(w: Written, body: str) -> bool:
         fields for kind in _ROPES for _name, fields in of_kind(w.data["connections"], kind) if is_named(body, fields)
     ]
     return len(ropes) == 1 and not any(is_named(body, {key: ropes[0].get(key)}) for key in ("over", "under", "path"))
+
+
+def _hub_of(bodies: Entry, end: Any) -> str | None:
+    """The wheel whose hub an end names, which is a circle and no point: wheel.hub."""
+    body, _, place = str(end).partition(".")
+    return body if place == "hub" and _is_round(bodies.get(body)) and _has_hub(bodies[body]) else None
 
 
 def _has_hub(entry: Any) -> bool:
