@@ -485,3 +485,27 @@ def test_a_length_and_its_direction_are_solved_for_where_a_rope_leads_to_what_dr
     question: str, formula: str
 ) -> None:
     is_formula(CRATE_DRAWN_UP, question, formula)
+
+
+def test_a_rope_that_stands_still_is_no_equation_of_a_loop() -> None:
+    """By moments of the beam about A: 2 T a = C_y a, and the strut bears C_y sqrt(a^2 + b^2)/b of it."""
+    system = fb.System.from_text("""
+parameters: {m: 40 kg, a: 1 m, b: 0.8 m, r: 0.1 m, g: 9.81 m/s^2}
+ground: {points: {A: [0, 0], D: [0, -b], E: [-1 m, 0.1 m]}}
+bodies:
+  beam: {rod: {length: 2*a}, at: {start: [0, 0]}, angle: 0}
+  strut: {rod: {length: sqrt(a^2 + b^2)}, at: {start: ground.D}}
+  pulley: {disk: {radius: r}}
+  load: {particle: {mass: m}}
+connections:
+  A: {pin: [ground.A, beam.start]}
+  D: {pin: [ground.D, strut.start]}
+  C: {pin: [strut.end, beam.center]}
+  B: {pin: [beam.end, pulley]}
+  rope: {string: {from: ground.E, over: pulley, to: load}}
+loads: {weight: {gravity: g}}
+""")
+    (found,) = system.solve("reaction of A").answers
+    assert found.value == pytest.approx((-40 * 9.81 * 1.5, -40 * 9.81), rel=1e-9)
+    assert sum(note.startswith("with 0 = ") for note in found.notes) == 2
+    assert not any("0 = 1" in note for note in found.notes)

@@ -84,6 +84,7 @@ _PLACED = re.compile(r"\b(?P<measure>\w+) = ")
 _ENDS = (Word("degree", "least"), Word("degree", "greatest"))
 _HEAVY = (Word("quantity", "weight"), Word("quantity", "mass"))
 _MAY = Word("filler", "may")
+_OVER, _ROLLS = Word("preposition", "over"), re.compile(r"\brolls without slipping\b")
 _MUST, _SPEED_THERE = Word("filler", "must"), re.compile(r"[|]?(?:angular )?(?:velocity|speed) of \S+ when ")
 _ON = Word("preposition", "on")
 _STEADY = re.compile(r"(?:force in|torque of) (\w+) in steady motion")
@@ -92,6 +93,10 @@ _OF_GROUND = re.compile(r"(?:angle|(?:angular )?(?:velocity|acceleration)|speed)
 _FORCE, _HEIGHT = Word("quantity", "force"), Word("quantity", "height")
 _TWO = 2
 _NUMBER = re.compile(r"(?<![\w.])\d+(?:\.\d+)?")
+
+
+def _telling(words: Sequence[Word]) -> list[Word]:
+    return [word for word in words if word.kind != "filler"]
 
 
 def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
@@ -104,6 +109,8 @@ def is_kept(names: Names, words: Sequence[Word], text: str) -> bool:
         return False
     if any(on == _ON and by.kind == "name" and by.what in names.measures for on, by in pairwise(words)):
         return False  # over a measure, or against it: a function
+    if _ROLLS.search(text) and any(on == _OVER and by.kind == "name" for on, by in pairwise(_telling(words))):
+        return False  # over a step, which it leaves the ground for
     if _MUST in words and _SPEED_THERE.match(text):  # how fast it must be there is not how fast it is
         return False
     if _PLACE_WHEN.match(text) and text.partition(" ")[0] in names.measures and moves_nowhere(names):

@@ -154,8 +154,10 @@ def loops_in(setup: Setup, element: Elements, state: SymbolicState | None, chain
 
 
 def _equations(setup: Setup) -> list[str]:
-    """Those of the loops."""
-    zeros = [compared(ZERO, "=", tidy(primitive_part(loop.value))) for loop in setup.model.loops]
+    """Those of the loops in which something moves: the length of a rope that stands still is no equation of a pose."""
+    model = setup.model
+    moving = [loop.value for loop in model.loops if model.field.ingredients(loop.value) & model.moving]
+    zeros = [compared(ZERO, "=", tidy(primitive_part(value))) for value in moving]
     return [reworded(Message("with {zero}", zero=zero), zero) for zero in zeros]
 
 
