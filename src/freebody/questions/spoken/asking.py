@@ -4,6 +4,7 @@ Words may stand in any order; what a thing is to the quantity is said by the pre
 
 from __future__ import annotations
 
+import re
 from itertools import pairwise, product
 from typing import TYPE_CHECKING
 
@@ -53,6 +54,7 @@ __all__ = ["of_forces", "of_motion", "of_sections", "of_springs", "of_systems", 
 
 
 _OF_MODE = {"first": "lowest", "least": "lowest", "greatest": "highest"}  # which of the natural frequencies
+_SUM = re.compile(r"^[^()]+ [+-] ")  # of quantities: a + b
 
 
 def quantities(names: Names, clause: Clause) -> Groups:
@@ -235,7 +237,8 @@ def _extreme(names: Names, clause: Clause, degrees: list[str]) -> Groups:
     is_way = degree == "greatest" and clause.all("quantity") == ["displacement"]
     for group in _plain(names, clause):
         told = [text for text in group if JOINT not in text]
-        most = [lookup.farthest_way(names, text) if is_way else f"{degree} {text}" for text in told]
+        sums = {text: f"({text})" if _SUM.search(text) else text for text in told}
+        most = [lookup.farthest_way(names, text) if is_way else f"{degree} {sums[text]}" for text in told]
         yield [f"{text}{whole}" for text in most]
 
 
