@@ -66,7 +66,7 @@ connections:
   turning: {driver: {body: arm, speed: w}}
   moving: {driver: {measure: r, follows: 0.2 m + v*t}}
 measures: {r: {distance from arm.start to bead}}
-questions: {it: velocity of bead relative to arm}
+questions: {it: Coriolis acceleration of bead relative to arm}
 """
 
     @property
