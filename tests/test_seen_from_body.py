@@ -100,3 +100,12 @@ def test_the_trolley_of_a_slewing_crane() -> None:
 def test_what_is_not_seen_from_there(question: str, why: str) -> None:
     with pytest.raises(ModelError, match=why):
         fb.System.from_text(BEAD).solve(question)
+
+
+@pytest.mark.parametrize(
+    ("language", "term"), [("en", "acceleration is 2 ω × v_rel"), ("de", "Coriolisbeschleunigung ist 2 ω × v_rel")]
+)
+def test_it_is_derived_from_the_composition_of_motions(language: str, term: str) -> None:
+    worked = fb.System.from_text(BEAD).explain("Coriolis acceleration of the bead", language=language)
+    assert worked.is_complete
+    assert term in " ".join(worked.to_text().split())

@@ -25,6 +25,7 @@ from freebody.questions.inertia import MomentOfInertia, squared_distance
 from freebody.questions.momentum import SYSTEM_CENTER, AngularMomentum, Momentum, point_about
 from freebody.questions.motion import OfPoint
 from freebody.questions.reading import Question
+from freebody.questions.seen_from_body import SeenFromBody
 from freebody.questions.vectors import ORIGIN, is_among, place
 from freebody.symbolic.tidy import tidy
 
@@ -104,6 +105,15 @@ def _told(q: Quantity, context: Context, script: Script) -> tuple[list[int], lis
         for b, first in alike.items():
             script.say("symmetry.alike", first=first, other=b)
     return lines, []
+
+
+@_told.register(SeenFromBody)
+def _seen(q: SeenFromBody, context: Context, script: Script) -> tuple[list[int], list[Expr]]:
+    """The composition of motions, then how both bodies move."""
+    with script.stage("stage.kinematics", "hint.velocities"):
+        what = "coriolis" if q.is_coriolis else "velocity" if q.order == 1 else "acceleration"
+        script.say(f"seen.{what}", body=q.body, point=str(q.point))
+    return _told.dispatch(Quantity)(q, context, script)
 
 
 # -- velocities -------------------------------------------------------------------------------

@@ -113,7 +113,8 @@ def how_far(names: Names, main: Clause) -> Groups:
             ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
             yield ways or [f"(greatest angle of {who}) - (angle of {who} at start)"]
             return
-        if who in lookup.turning(names) and {*lookup.angles(names, who)} <= names.counted_from_right:
+        is_let_go = who in lookup.turning(names) and not driving.is_driven(names)
+        if is_let_go and {*lookup.angles(names, who)} <= names.counted_from_right:
             ways = [f"change of {angle} until rate({angle}) = 0" for angle in lookup.angles(names, who)]
             yield ways or [f"change of angle of {who} until angular velocity of {who} = 0"]
             return
