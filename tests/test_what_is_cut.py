@@ -75,3 +75,8 @@ def test_what_only_the_string_places_starts_nowhere_without_it() -> None:
     )
     with pytest.raises(InputError, match="without string the file does not say how rod starts"):
         fb.System.from_text(text).solve("angular acceleration of the rod just after the string is cut")
+
+
+def test_it_is_asked_by_itself() -> None:
+    with pytest.raises(InputError, match="ask it by itself"):
+        fb.System.from_text(BAR).solve(["tension of left", "tension of left just after right is cut"])

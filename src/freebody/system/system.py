@@ -153,10 +153,14 @@ class System(SystemDescription):
         try:
             return self, self.asked(*texts)
         except ModelError:
-            stated = (self._with_stated(texts[0]) or self._with_cut(texts[0])) if len(texts) == 1 else None
-            if stated is None:
-                raise
-        return stated
+            others = [self._with_stated(text) or self._with_cut(text) for text in texts]
+            if len(texts) == 1 and others[0] is not None:
+                return others[0]
+            for text, other in zip(texts, others, strict=True):
+                if other is not None:
+                    told = Message("'{text}' is asked of another model than the others: ask it by itself", text=text)
+                    raise InputError(told) from None
+            raise
 
     def _with_stated(self, text: str) -> tuple[Self, tuple[Question, ...]] | None:
         """The system with the values of parameters that a text states, and what is asked of it; None without them."""
