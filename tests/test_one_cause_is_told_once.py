@@ -39,8 +39,8 @@ MISTAKES = [
     ("cardan_joint", "alpha: 30 deg", "alpha 30 deg", "a colon is missing after alpha: alpha: 30 deg"),
     (
         "cart_and_pendulum",
-        "pin: [cart, rod.start]",
-        "pin: [cart, rod.start, rod]",
+        "{body: cart, along: right}",
+        "{body: cart, along: right, friction: rod}",
         "rod is a body; here stands a number, or a formula in parameters",
     ),
     (
