@@ -103,7 +103,7 @@ def test_what_is_not_seen_from_there(question: str, why: str) -> None:
 
 
 @pytest.mark.parametrize(
-    ("language", "term"), [("en", "acceleration is 2 ω × v_rel"), ("de", "Coriolisbeschleunigung ist 2 ω × v_rel")]
+    ("language", "term"), [("en", "acceleration is 2·𝝎 × 𝒗_rel"), ("de", "Coriolisbeschleunigung ist 2·𝝎 × 𝒗_rel")]
 )
 def test_it_is_derived_from_the_composition_of_motions(language: str, term: str) -> None:
     worked = fb.System.from_text(BEAD).explain("Coriolis acceleration of the bead", language=language)
