@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from math import cos, exp, pi, sin, sqrt
+from math import atan2, cos, exp, pi, sin, sqrt
 
 import pytest
 
@@ -37,3 +37,14 @@ def test_it_is_an_oscillator_like_any_other(way: str, question: str, value: floa
     (answer,) = fb.System.from_text(TEXT.replace("WAY", way)).solve(question).answers
     assert answer.expression is not None
     assert answer.value == pytest.approx(value, rel=1e-9)
+
+
+@pytest.mark.parametrize("start", ["20 mm", "{value: -20 mm, sign: any}"])
+def test_its_force_where_they_meet_is_told_by_its_size(start: str) -> None:
+    """c v, from whichever side it comes, and whichever way the line runs."""
+    text = TEXT.replace("WAY", "right").replace("x0: 20 mm", f"x0: {start}")
+    models = (text, text.replace("{slope: {along: b}}", "{back: left}"))
+    told = [fb.System.from_text(each).solve("force in dashpot when x = 0").answers[0].value for each in models]
+    t = (pi - atan2(OMEGA, DELTA)) / OMEGA
+    speed = 0.02 * 20**2 / OMEGA * exp(-DELTA * t) * sin(OMEGA * t)
+    assert told == pytest.approx([16 * speed] * 2, rel=1e-9)

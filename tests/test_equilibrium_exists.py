@@ -58,3 +58,19 @@ def test_a_distance_below_zero_is_no_equilibrium_and_no_claim_is_made_that_numbe
     assert found.expression is None
     assert "whatever the parameters are" not in found.reason
     assert "knows none beside what a drive moves" in found.reason
+
+
+def test_where_a_divisor_vanishes_is_told_beside_the_claim() -> None:
+    """x = F/(k - c), and none for c = k."""
+    text = """
+parameters: {m: 2 kg, k: 100 N/m, c: {value: 30 N/m, sign: any}, F: 5 N}
+bodies: {cart: {particle: {mass: m}}}
+connections: {rail: {slider: {body: cart, along: right}}}
+measures: {x: {x of cart}}
+loads: {push: {force: {at: cart, along: right, magnitude: F - (k - c)*x}}}
+start: {x: 0, rate(x): 0}
+"""
+    (found,) = fb.System.from_text(text).solve("range of c for which an equilibrium exists").answers
+    assert found.expression is None
+    assert "whatever" not in found.reason
+    assert "= 0" in found.reason

@@ -38,3 +38,12 @@ def test_a_load_swings_out(rope: str) -> None:
     (answer,) = system.solve("greatest angle of the rope with the vertical").answers
     assert answer.expression is not None
     assert answer.value == pytest.approx(math.acos(1 - 2**2 / (2 * 9.81 * 5)), rel=1e-9)
+
+
+def test_what_else_moves_changes_nothing_of_a_swing() -> None:
+    text = (MODELS / "load_on_a_rope.yaml").read_text()
+    system = fb.System.from_text(
+        text.replace("bodies: {", "bodies: {stranger: {particle: {mass: 1 kg}, at: [50 m, 0]}, ")
+    )
+    (answer,) = system.solve("greatest angle of the rope with the vertical").answers
+    assert answer.value == pytest.approx(math.acos(1 - 2**2 / (2 * 9.81 * 5)), rel=1e-9)

@@ -80,3 +80,20 @@ def test_what_only_the_string_places_starts_nowhere_without_it() -> None:
 def test_it_is_asked_by_itself() -> None:
     with pytest.raises(InputError, match="ask it by itself"):
         fb.System.from_text(BAR).solve(["tension of left", "tension of left just after right is cut"])
+
+
+@pytest.mark.parametrize(
+    ("model", "question", "why"),
+    [
+        (BAR, "tension of left just after the weight is removed", "does not hold in this model"),  # no one cuts a field
+        (BAR, "tension of left just after rigth is cut", "no rigth that could be cut. Did you mean right"),
+        (
+            f"{HINGED}measures: {{beta: {{angle of string from down}}}}",
+            "angular acceleration of rod just after string is cut",
+            "without string the model cannot be read",
+        ),
+    ],
+)
+def test_what_cannot_be_cut_is_told(model: str, question: str, why: str) -> None:
+    with pytest.raises((InputError, ModelError), match=why):
+        fb.System.from_text(model).solve(question)

@@ -49,9 +49,9 @@ class Load(Spec):
         """The measures it pushes."""
         return []
 
-    def among(self, names: Names, push: AppliedLoad, others: Sequence[AppliedLoad]) -> AppliedLoad:
+    def among(self, names: Names, push: AppliedLoad, others: Sequence[AppliedLoad]) -> list[AppliedLoad]:
         """One of the measures it pushes, as it is meant beside all that is pushed."""
-        return push
+        return [push]
 
     def impulses(self, names: Names) -> list[AppliedLoad]:
         """The measures it pushes at once, at the start or when an event happens: by an impulse in the parameters."""

@@ -24,7 +24,7 @@ from freebody.measures.base import Measure
 from freebody.measures.combination import Combination, Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
-from freebody.measures.geometry import AXES, GROUND, ONE, Direction
+from freebody.measures.geometry import AXES, GROUND, ONE, Direction, Point
 from freebody.measures.turn import Turn
 from freebody.model import glyphs
 from freebody.model.elements import RATE, VALUE, AppliedLoad
@@ -150,11 +150,22 @@ loads: {it: {spring: {first: ground.A, second: ball, stiffness: 5 N/m, length: 1
         return -self.pulling_sign if self.only == "compressed" else self.pulling_sign
 
     def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
-        return super().pulls_with(laws, sqrt) if len(laws) == 1 else sqrt(sum(x * x for x in laws))
+        return _pulls_with(super().pulls_with, laws, sqrt)
 
     def glyphs(self, names: Names) -> Iterable[Glyph]:
         longest = names.length_or(self, "length") if self.only == "compressed" else None
         yield glyphs.Spring(names.point(self.first), names.point(self.second), longest=longest)
+
+
+def _pulls_with(one: Callable[..., Any], laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+    """By its size where it acts along several axes."""
+    return one(laws, sqrt) if len(laws) == 1 else sqrt(sum(x * x for x in laws))
+
+
+def _is_level(names: Names, first: Point, second: Point, across: Direction) -> bool:
+    """Whether nothing moves two points across a line, and both are on it."""
+    at = [stands_at(names, point, across) for point in (first, second)]
+    return at[0] is not None and at[1] is not None and names.numeric(add(at[1], negate(at[0]))) == 0.0
 
 
 class Damper(Load, kind="damper"):
@@ -189,23 +200,22 @@ bodies: {ball: {particle: {mass: 1 kg}, at: [2 m, 0]}}
 loads: {it: {damper: {first: ground.A, second: ball, damping: 5 N s/m}}}
 """
 
-    def among(self, names: Names, push: AppliedLoad, others: Sequence[AppliedLoad]) -> AppliedLoad:
+    def among(self, names: Names, push: AppliedLoad, others: Sequence[AppliedLoad]) -> list[AppliedLoad]:
         """Beside a spring of length 0 between the same points, which may meet: on a straight guide through both it acts
-        by the way along that, since the distance of points that meet has no direction."""
+        by -c (v_B - v_A) along each axis, as that spring does, since the distance of points that meet has no
+        direction."""
         first, second = names.point(self.first), names.point(self.second)
         drawn = [o.measure for o in others if isinstance(o.measure, Displacement)]
         if self.only is not None or not any({m.of, m.origin} == {first, second} for m in drawn) or names.space:
-            return push
-        ways = (line.direction for line in names.bodies[GROUND].lines.values())
-        for along in (*ways, *AXES[:2]):
-            across = [stands_at(names, point, along.normal()) for point in (first, second)]
-            if (
-                across[0] is not None
-                and across[1] is not None
-                and names.numeric(add(across[1], negate(across[0]))) == 0.0
-            ):
-                return replace(push, measure=Displacement(second, first, along))
-        return push
+            return [push]
+        lines = (line.direction for line in names.bodies[GROUND].lines.values())
+        if not any(_is_level(names, first, second, across.normal()) for across in (*lines, *AXES[:2])):
+            return [push]
+        ways = zip("xy", AXES, strict=False)
+        return [replace(push, component=x, measure=Displacement(second, first, along)) for x, along in ways]
+
+    def pulls_with(self, laws: Sequence[Any], sqrt: Callable[[Any], Any]) -> Any:
+        return _pulls_with(super().pulls_with, laws, sqrt)
 
     def applied_loads(self, names: Names) -> list[AppliedLoad]:
         distance = Distance(names.point(self.first, "first"), names.point(self.second, "second"))

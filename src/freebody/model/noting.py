@@ -17,15 +17,20 @@ from freebody.errors import Problem
 from freebody.language.sentences import Message
 
 
+def near(name: str, known: Iterable[str]) -> str:
+    """' Did you mean x?' of what is written nearly alike; nothing where nothing is."""
+    close = difflib.get_close_matches(name, sorted(set(known)), n=1, cutoff=0.6)
+    return Message(" Did you mean {x}?", x=close[0]) if close else ""
+
+
 def did_you_mean(name: str, known: Iterable[str]) -> str:
     """' Did you mean x?', or the list of what there is. Of several that a name begins (gear_mesh, gear_pair for gear)
     none is preferred."""
     options = sorted(set(known))
     if len(begun := [option for option in options if option.startswith(f"{name}_")]) > 1:
         return Message(" Did you mean one of {names}?", names=", ".join(begun))
-    close = difflib.get_close_matches(name, options, n=1, cutoff=0.6)
-    if close:
-        return Message(" Did you mean {x}?", x=close[0])
+    if told := near(name, options):
+        return told
     if not options:
         return ""
     shown = ", ".join(options[:12]) + (" ..." if len(options) > 12 else "")

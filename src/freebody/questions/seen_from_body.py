@@ -11,6 +11,7 @@ from A to P. The term 2 omega x v_rel is Coriolis'. Source: Hibbeler, Dynamics, 
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from dataclasses import dataclass, replace
 from typing import TYPE_CHECKING, Any, Literal
 
@@ -167,18 +168,23 @@ def seen_from(
     return SeenFromBody(point, body, order, along=along, size=size, basis=read_basis(names, basis, path))
 
 
-def _carrier(names: Names, point: Point, path: Path) -> str | None:
-    """The only body that turns along whose line the point is guided, or the body that has it."""
-    found: dict[str, None] = {}
+def led_along(names: Names) -> Iterator[tuple[str, Point, str]]:
+    """What a body that turns leads along a line of its own: the connection, the point, and that body."""
     for row in names.constraint_rows:
         m = row.measure
         if isinstance(m, Combination) and len(m.terms) == 1:  # at the length that it has at the start
             [(_, m)] = m.terms
-        if isinstance(m, Displacement) and m.along.body == m.origin.body != GROUND and m.of.body == point.body:
-            found[m.along.body] = None
-    found = {body: None for body in found if body != point.body and names.bodies[body].turns}
+        if isinstance(m, Displacement) and m.along.body == m.origin.body not in (GROUND, m.of.body):
+            body = names.bodies[m.along.body]
+            if body.turns and not body.fixed:
+                yield row.connection, m.of, body.name
+
+
+def _carrier(names: Names, point: Point, path: Path) -> str | None:
+    """The only body that turns along whose line the body of a point is led."""
+    found = {carrier for _joint, led, carrier in led_along(names) if led.body == point.body}
     if len(found) == 1:
-        return next(iter(found))
+        return found.pop()
     others = [name for name, body in names.bodies.items() if body.turns and not body.fixed and name != point.body]
     told = Message(
         "say relative to which body that turns: Coriolis acceleration of {of} relative to {body}",

@@ -285,19 +285,19 @@ def _is_on_branch(model: SymbolicModel, state: SymbolicState) -> bool:
     return True
 
 
-def where_on_branch(model: SymbolicModel, rest: ClosedFormRest) -> tuple[list[Condition], bool]:
-    """Where the loops and lines are put together as the formulas take for granted, in an equilibrium; and whether they
-    can be at all: a distance of -l0 is none."""
+def where_on_branch(model: SymbolicModel, rest: ClosedFormRest) -> list[Condition] | None:
+    """Where the loops and lines are put together as the formulas take for granted, in an equilibrium; None where they
+    never are: a distance of -l0 is none. Raises CannotAnswer where that is not known."""
     state, found = StateOfRest(model, rest.values), list[Condition]()
     for x in model.samples.assumed:
         try:
             condition, is_possible = require(state.here(model.express(x)), ">", TAKEN)
-        except (CannotAnswer, ZeroDivisionError):
-            continue
+        except ZeroDivisionError as error:
+            raise CannotAnswer(Message("how it is put together there is not known")) from error
         if not is_possible:
-            return [], False
+            return None
         found += [] if condition is None else [condition]
-    return found, True
+    return found
 
 
 def _has_full_inertia(linear: Linearised) -> bool:

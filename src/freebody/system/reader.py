@@ -39,7 +39,7 @@ from freebody.system.reading.head import check_sections, read_space, title
 from freebody.system.reading.loads import brought_loads, read_impulses, read_loads, striking_when
 from freebody.system.reading.lying import tell_what_lies_level
 from freebody.system.reading.measures import (
-    add_place_of_the_only_body,
+    add_places,
     add_turned_at_start,
     driven_from_zero,
     read_measures,
@@ -139,7 +139,7 @@ def _read(source: Source, document: Document, file: str | None) -> SystemDescrip
     hang_what_is_struck(names, held, start)
     tell_what_lies_level(names, held)
     names.loads = {p.load: ENERGY / p.measure.dimension for p in applied_loads}
-    add_place_of_the_only_body(names, held, offered)
+    add_places(names, held, offered)
     add_turned_at_start(names)
     questions = read_questions(names, source.data.get("questions"))
     looks = read_drawing(source, {*measures, *connections, *loads})

@@ -192,12 +192,17 @@ class System(SystemDescription):
             document = document.without(("connections" if name in self.connections else "loads", name))
         try:
             whole = " ".join(q.understood or q.text for q in self.asked(rest))
-            system = self._read(document, self.file)
-            found = system.asked(rest)
         except ModelError:
             return None
         if any(re.search(rf"(?<!along )\b{re.escape(name)}\b", whole) for name in gone):  # it transmits nothing more
             return None
+        try:
+            system = self._read(document, self.file)
+            found = system.asked(rest)
+        except ModelError as error:  # what names it, as a measure of its angle
+            why = " | ".join(problem.message for problem in error.problems)
+            told = Message("without {names} the model cannot be read: {why}", names=", ".join(gone), why=why)
+            raise InputError(told) from error
         told = Message("{names} is cut as the motion begins: the model is taken without it", names=", ".join(gone))
         system = replace(system, assumptions=(*system.assumptions, told))
         asked = tuple(replace(q, understood=f"{q.understood or q.text}, {', '.join(gone)} cut") for q in found)

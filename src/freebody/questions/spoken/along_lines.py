@@ -11,11 +11,10 @@ from freebody.measures.displacement import Displacement
 from freebody.measures.distance import Distance
 from freebody.measures.geometry import GROUND, Components
 from freebody.questions.spoken import joining, lookup, rubbing, strings
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
-
-_LEVEL = 1e-9  # sine of the angle of what lies level
 
 
 def at_point(names: Names, who: str, point: str) -> list[str]:
@@ -41,7 +40,7 @@ def down_to(names: Names, point: str, line: str) -> list[str]:
         return []
     slope = names.numeric(level.direction.components[1])
     own = [joint for joint in names.connections if joining.touches(names, joint, body)]
-    if slope is None or abs(slope) > _LEVEL or any(joining.names_line(names, joint, line) for joint in own):
+    if slope is None or abs(slope) > ROUND_OFF or any(joining.names_line(names, joint, line) for joint in own):
         return []
     return [f"height of {point} = {_written(names, level.through.offset[1])}"]
 

@@ -12,6 +12,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING
 
 from freebody.language.sentences import Message
+from freebody.model.noting import near
 from freebody.questions.spoken import joining, lookup, rubbing
 from freebody.questions.spoken.compounds import in_english_nouns
 from freebody.questions.spoken.lexicon import assumptions, contexts, languages
@@ -46,6 +47,8 @@ def what_does_not_hold(names: Names, text: str, *, is_of_train: bool = False) ->
                 clause=clause.strip(" ,.?!"),
                 against=", ".join(against),
             )
+        if what == _CUT and not own and " " not in who and (hint := near(who, [*names.connections, *names.loads])):
+            return Message("there is no {who} that could be cut.{hint}", who=who, hint=hint)
     return None
 
 
@@ -67,7 +70,7 @@ def cut_in(names: Names, text: str) -> tuple[list[str], str] | None:
             said = found.groupdict()
             rest = " ".join(text.replace(found[0], " ").split()).strip(" ,?.!")
             there = _cut_one(names, said.get("who") or said.get("which") or "", rest)
-            if len(there) != 1:
+            if len(there) != 1 or "gravity" in names.called.get(there[0], ()):  # nobody cuts a field
                 continue
             is_then = said.get("then") is not None
             return there, f"{rest} {contexts(language)['as_it_starts']}" if is_then else rest

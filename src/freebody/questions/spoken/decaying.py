@@ -45,4 +45,4 @@ def _left(names: Names, sentence: Sentence) -> Groups:
         return
     [(name, at)] = begun.items()
     start = to_python(at).replace("**", "^")
-    yield [f"({start} - equilibrium of {name})*exp(-{values[0]}*logarithmic decrement)"]
+    yield [f"|{start} - equilibrium of {name}|*exp(-{values[0]}*logarithmic decrement)"]

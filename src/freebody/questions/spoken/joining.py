@@ -11,6 +11,7 @@ from freebody.measures.combination import Composed
 from freebody.measures.displacement import Displacement
 from freebody.measures.geometry import GROUND
 from freebody.questions.course import names_line
+from freebody.questions.seen_from_body import led_along
 from freebody.questions.spoken import lookup
 from freebody.questions.spoken.lexicon import leading
 
@@ -237,11 +238,7 @@ def may_act_at(names: Names, joint: str, thing: str) -> bool:
 
 def riding(names: Names, joint: str) -> str:
     """The point that a guide on a body that turns leads along it: the block in the slot of an arm; else nothing."""
-    for row in names.constraint_rows:
-        m = row.measure
-        if row.connection == joint and isinstance(m, Displacement) and m.along.body == m.origin.body:
-            return str(m.of) if m.along.body in lookup.turning(names) else ""
-    return ""
+    return next((str(point) for led, point, _ in led_along(names) if led == joint), "")
 
 
 def joined_at(names: Names, name: str) -> str:

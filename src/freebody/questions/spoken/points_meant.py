@@ -15,6 +15,7 @@ from freebody.questions.spoken import (
 from freebody.questions.spoken.frames import MOTION
 from freebody.questions.spoken.lexicon import Word
 from freebody.questions.spoken.of_motion import MASS_CENTER
+from freebody.tolerances import ROUND_OFF
 
 if TYPE_CHECKING:
     from freebody.model.names import Names
@@ -23,7 +24,6 @@ if TYPE_CHECKING:
 _COMMA, _IN = Word("preposition", ","), Word("preposition", "in")
 _FREE_END = "free_end"  # of a body, as the spelling writes it
 _HELD_END = "held_end"
-_LEVEL = 1e-9  # sine of the angle of what lies level
 _ENDS_OF_LADDERS = ("foot", "head")  # where it touches what is level, and what is upright
 
 
@@ -65,7 +65,7 @@ def _placed_ends(names: Names, bodies: list[str], *, upper: bool) -> list[str]:
     for body in lookup.turning(names):
         angle = names.bodies[body].start.angle
         pointing = None if angle is None or names.space else names.numeric(angle)
-        if body in bodies and names.bodies[body].solid is ROD and pointing and abs(math.sin(pointing)) > _LEVEL:
+        if body in bodies and names.bodies[body].solid is ROD and pointing and abs(math.sin(pointing)) > ROUND_OFF:
             found.append(f"{body}.{'end' if (math.sin(pointing) > 0.0) == upper else 'start'}")
     return found
 

@@ -11,6 +11,8 @@ from fractions import Fraction
 from itertools import product
 
 from freebody.errors import CannotAnswer
+from freebody.language.expression import ZERO
+from freebody.language.notation import compared, joined
 from freebody.language.sentences import Message
 from freebody.study.answering.answer import Evidence
 from freebody.study.answering.formula import Formula
@@ -18,6 +20,7 @@ from freebody.study.setup import Setup
 from freebody.study.small_motion.equilibrium import equilibria as searched
 from freebody.symbolic.conditions import Condition
 from freebody.symbolic.equilibrium import equilibria, where_on_branch
+from freebody.symbolic.tidy import tidy
 
 _OPPOSITE = {">": ">=", ">=": ">"}  # of the negative element
 
@@ -26,15 +29,19 @@ def existence(setup: Setup, *, is_so: bool) -> list[Formula]:
     """Where one of the equilibria exists, or where none does. Raises CannotAnswer where none has a closed form, or one
     exists wherever the model does."""
     found = equilibria(setup.model, setup.start, stable_first=False)
-    ways: list[list[Condition]] = []
-    for rest in found:
-        branch, is_possible = where_on_branch(setup.model, rest)
-        if is_possible and not rest.moves_evenly:
-            ways.append([c for c in (*rest.exists, *branch) if c.relation in _OPPOSITE])
-    if not ways:
+    resting = [rest for rest in found if not rest.moves_evenly]
+    if not resting:
         raise CannotAnswer(Message("there is no equilibrium: what is pushed goes on with constant acceleration"))
-    if not all(ways):
+    needed = [(*rest.exists, *branch) for rest in resting if (branch := where_on_branch(setup.model, rest)) is not None]
+    if not needed:
+        raise CannotAnswer(Message("there is no equilibrium that is put together as the model is at the start"))
+    if not all(needed):
         raise CannotAnswer(Message("there is an equilibrium, whatever the parameters are"))
+    ways = [[c for c in way if c.relation in _OPPOSITE] for way in needed]
+    if not all(ways):
+        divisors = (c.element for way in needed for c in way if c.relation not in _OPPOSITE)
+        told = joined(compared(tidy(divisor), "=", ZERO) for divisor in divisors)
+        raise CannotAnswer(Message("there is an equilibrium, except perhaps where {exceptions}", exceptions=told))
 
     if any(row.is_driven for row in setup.system.constraint_rows):
         told = Message(

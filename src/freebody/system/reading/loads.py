@@ -27,7 +27,7 @@ def read_loads(names: Names, loads: Mapping[str, Load]) -> list[AppliedLoad]:
                     push = replace(push, law=substitute(push.law, by_form), general=push.law)
                 found.append(replace(push, load=name))
     with names.quietly():  # what is wrong with them has been told
-        return [loads[push.load].among(names, push, found) for push in found]
+        return [meant for push in found for meant in loads[push.load].among(names, push, found)]
 
 
 class BroughtLoad(Law):

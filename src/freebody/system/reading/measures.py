@@ -77,25 +77,34 @@ def _named_angles(source: Source) -> None:
                 names.measures[name] = measure
 
 
-def add_place_of_the_only_body(
-    names: Names, rows: Iterable[ConstraintRow], offered: Sequence[tuple[str, Measure]]
-) -> None:
-    """Where a file names no measure and a single body moves in the plane in one way: what tells where that is, under
-    the name that it has as a coordinate. Questions and events may speak of it."""
-    moving = [body for body in names.bodies.values() if body.name != GROUND and not body.fixed]
-    if names.measures or names.space or len(moving) != 1:
+def add_places(names: Names, rows: Iterable[ConstraintRow], offered: Sequence[tuple[str, Measure]]) -> None:
+    """Where a file names no measure, in the plane: the angles of what swings on a link or a string, and where a single
+    body moves in one way what tells where that is, under the name that it has as a coordinate. Questions and events may
+    speak of it."""
+    if names.measures or names.space:
         return
-    (body,) = moving
-    swings = any(isinstance(measure, Bearing) for _, measure in offered)
-    rolling = {name for name, words in names.called.items() if "rolling" in words}  # which is taken not to lift off
-    own = [row for row in rows if body.name in row.measure.bodies()]
-    held = sum(swings or not row.unilateral or row.connection in rolling for row in own)
-    found: dict[str, Measure] = {}
-    if held == (2 if body.turns else 1):
-        found = {f"theta_{body.name}": Angle(body.name)} if not offered and body.turns else dict(offered)
-    if len(found) == 1 and not found.keys() & names.parameters.keys():
+    swung = {name: measure for name, measure in offered if isinstance(measure, Bearing)}
+    found = swung or _place_of_the_only_body(names, rows, dict(offered))
+    if not found.keys() & names.parameters.keys():
         names.measures = {**names.measures, **found}
         names.counted_from_right = {name for name, measure in found.items() if isinstance(measure, Angle)}
+
+
+def _place_of_the_only_body(
+    names: Names, rows: Iterable[ConstraintRow], offered: dict[str, Measure]
+) -> dict[str, Measure]:
+    moving = [body for body in names.bodies.values() if body.name != GROUND and not body.fixed]
+    if len(moving) != 1:
+        return {}
+    (body,) = moving
+    rolling = {name for name, words in names.called.items() if "rolling" in words}  # which is taken not to lift off
+    own = [row for row in rows if body.name in row.measure.bodies()]
+    held = sum(not row.unilateral or row.connection in rolling for row in own)
+    if held != (2 if body.turns else 1):
+        return {}
+    angle: dict[str, Measure] = {f"theta_{body.name}": Angle(body.name)}
+    found = angle if not offered and body.turns else offered
+    return found if len(found) == 1 else {}
 
 
 def driven_from_zero(measures: Mapping[str, Measure], rows: Iterable[ConstraintRow]) -> set[str]:
